@@ -7,6 +7,7 @@
 #include "support/effort.h"
 #include "support/game_data.h"
 #include "support/pictures/deferred_faces.h"
+#include "support/pictures/frames.h"
 #include "support/pictures/viewpoints.h"
 
 namespace temblor::render_gl {
@@ -57,7 +58,7 @@ void expect_equal_pictures(const test::DrawableLevel& drawable, int views) {
       };
       const render::FrameBuffer wanted = draw(large);
       for (RendererPair* pair : {&four, &two})
-        EXPECT_EQ(equal_share(draw(*pair), wanted, 0), 1.0)
+        EXPECT_EQ(test::equal_share(draw(*pair).rgb(), wanted.rgb(), 0), 1.0)
             << drawable.name << " " << size.width << ", view " << number;
       draw(tiny);  // shows larger images at a half of their size or less
       EXPECT_EQ(large.gl().cache_counts().portions, 1u);

@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "platform/egl/offscreen_context.h"
+#include "support/pictures/frames.h"
 #include "support/pictures/picture_file.h"
 
 namespace temblor::render_gl {
@@ -16,7 +17,7 @@ constexpr int kWidth = 640, kHeight = 480;
 render::FrameBuffer make_difference(const render::FrameBuffer& a, const render::FrameBuffer& b) {
   render::FrameBuffer out(a.width(), a.height(), render::PixelFormat::kRgb);
   for (std::size_t i = 0; i < a.pixel_count(); ++i) {
-    const int difference = largest_difference(a.rgb()[i], b.rgb()[i]);
+    const int difference = test::largest_difference(a.rgb()[i], b.rgb()[i]);
     const std::uint32_t dark = (a.rgb()[i] >> 2) & 0x3f3f3fu;
     out.rgb()[i] = 0xff000000u | (difference > 2 ? 0xff0000u : dark);
   }
@@ -24,21 +25,6 @@ render::FrameBuffer make_difference(const render::FrameBuffer& a, const render::
 }
 
 }  // namespace
-
-int largest_difference(std::uint32_t a, std::uint32_t b) {
-  int largest = 0;
-  for (int shift = 0; shift < 24; shift += 8)
-    largest =
-        std::max(largest, std::abs(static_cast<int>(a >> shift & 255) - static_cast<int>(b >> shift & 255)));
-  return largest;
-}
-
-double equal_share(const render::FrameBuffer& a, const render::FrameBuffer& b, int tolerance) {
-  std::size_t equal = 0;
-  for (std::size_t i = 0; i < a.pixel_count(); ++i)
-    equal += largest_difference(a.rgb()[i], b.rgb()[i]) <= tolerance;
-  return static_cast<double>(equal) / static_cast<double>(a.pixel_count());
-}
 
 RendererPair::RendererPair(const test::DrawableLevel& look)
     : name_(look.name),
@@ -75,7 +61,7 @@ double RendererPair::compare(const render::Scene& scene, const render::Settings&
   test::show_picture(number + "-cpu", cpu_frame_, palette_);
   test::show_picture(number + "-gl", gl_frame_, palette_);
   test::show_picture(number + "-difference", make_difference(cpu_frame_, gl_frame_), palette_);
-  return equal_share(cpu_frame_, gl_frame_, tolerance);
+  return test::equal_share(cpu_frame_.rgb(), gl_frame_.rgb(), tolerance);
 }
 
 }  // namespace temblor::render_gl

@@ -42,12 +42,6 @@ class RendererPair {
   render::FrameBuffer cpu_frame_, gl_frame_;
 };
 
-// The largest difference of two colors' channels.
-int largest_difference(std::uint32_t a, std::uint32_t b);
-
-// The share of pixels whose channels differ by at most `tolerance`.
-double equal_share(const render::FrameBuffer& a, const render::FrameBuffer& b, int tolerance);
-
 }  // namespace temblor::render_gl
 
 // Declares `variable` as the pair that RendererPair::make returns, or skips the test with the driver's

@@ -4,6 +4,7 @@
 #include "support/game_data.h"
 #include "support/models/drawable_models.h"
 #include "support/models/posed_samples.h"
+#include "support/pictures/frames.h"
 
 namespace temblor::render_gl {
 
@@ -127,7 +128,7 @@ ModelShares compare_models(RendererPair& io_pair, const ModelScene& scene, const
   for (std::size_t i = 0; i < cpu.pixel_count(); ++i) {
     if (cpu.rgb()[i] == without.rgb()[i] && cpu.depth()[i] == without.depth()[i]) continue;
     ++shares.own_pixels;
-    agreeing += largest_difference(cpu.rgb()[i], gl.rgb()[i]) <= kOwnTolerance;
+    agreeing += test::largest_difference(cpu.rgb()[i], gl.rgb()[i]) <= kOwnTolerance;
   }
   if (shares.own_pixels > 0)
     shares.own = static_cast<double>(agreeing) / static_cast<double>(shares.own_pixels);

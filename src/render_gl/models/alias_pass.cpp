@@ -1,8 +1,11 @@
 #include "render_gl/models/alias_pass.h"
 
+#include <string>
+
 #include "render/alias/draw_alias_models.h"
 #include "render/alias/light_alias.h"
 #include "render/alias/prepare_alias.h"
+#include "render_gl/gl/projection.h"
 #include "render_gl/models/alias_shaders.h"
 
 namespace temblor::render_gl {
@@ -26,7 +29,8 @@ AliasPass::AliasPass(const Functions& gl, Program program, PlayerPalettes palett
 }
 
 base::Result<AliasPass> AliasPass::make(const Functions& gl, const render::ColorTables& colors) {
-  TRY(Program program, make_program(gl, kAliasVertexShader, kAliasFragmentShader));
+  TRY(Program program,
+      make_program(gl, (std::string(kProjectionPart) + kAliasVertexShader).c_str(), kAliasFragmentShader));
   TRY(PlayerPalettes palettes, PlayerPalettes::make(gl, colors));
   TRY(AliasLayer layer, AliasLayer::make(gl));
   return AliasPass(gl, std::move(program), std::move(palettes), std::move(layer));

@@ -17,15 +17,10 @@ layout(location = 2) in vec2 texel;
 uniform vec4 to_view[3];  // rows: from elements of a pose to right, up, forward
 uniform float pose_blend;
 uniform vec4 lights[64];  // by number of the normal, four each
-uniform vec4 projection;  // scale of x and y; near plane; 1 for perspective, 0 for parallel projection
-uniform bool full_range;  // depth of the clip space begins at -1, not at 0
 
 out vec2 skin_texel;
 out vec3 light;      // the light, the light times w, and 1 at vertices behind the near plane
 out float view_z;
-
-// Units that depth covers in parallel projection, as in the shader of the level.
-const float kDepthRange = 262144.0;
 
 float find_light(uint normal) {
   uint number = min(normal, 255u);
@@ -35,13 +30,10 @@ float find_light(uint normal) {
 void main() {
   vec4 element = vec4(mix(vec3(from_vertex.xyz), vec3(to_vertex.xyz), pose_blend), 1.0);
   vec3 at = vec3(dot(to_view[0], element), dot(to_view[1], element), dot(to_view[2], element));
-  bool perspective = projection.w > 0.5;
-  float w = perspective ? at.z : 1.0;
-  float depth = perspective ? projection.z : 1.0 - (at.z - projection.z) / kDepthRange;
-  gl_Position = vec4(at.x * projection.x, -at.y * projection.y, full_range ? 2.0 * depth - w : depth, w);
+  gl_Position = project(at);
   skin_texel = texel;
   float blended = mix(find_light(from_vertex.w), find_light(to_vertex.w), pose_blend);
-  light = vec3(blended, blended * w, perspective && w < projection.z ? 1.0 : 0.0);
+  light = vec3(blended, blended * gl_Position.w, is_perspective() && at.z < projection.z ? 1.0 : 0.0);
   view_z = at.z;
 }
 )";

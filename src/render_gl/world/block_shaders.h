@@ -16,23 +16,14 @@ uniform vec3 model_origin;
 uniform uint first_record;  // of the model's tiles, less that of the world's tiles
 uniform vec3 eye;
 uniform mat3 view_axes;     // from the world to right, up, forward
-uniform vec4 projection;    // scale of x and y; near plane; 1 for perspective, 0 for parallel projection
-uniform bool full_range;    // depth of the clip space begins at -1, not at 0
 
 out vec2 block_texel;
 flat out ivec4 place;  // x, y in the atlas; the last texel of the block
 flat out int layer;
 
-// Units that depth covers in parallel projection.
-const float kDepthRange = 262144.0;
-
 void main() {
-  bool perspective = projection.w > 0.5;
   vec3 at = view_axes * (model_axes * position + (model_origin - eye));
-  float w = perspective ? at.z : 1.0;
-  // Over w: 1 at the near plane, and less behind it.
-  float depth = perspective ? projection.z : 1.0 - (at.z - projection.z) / kDepthRange;
-  gl_Position = vec4(at.x * projection.x, -at.y * projection.y, full_range ? 2.0 * depth - w : depth, w);
+  gl_Position = project(at);
   uint number = tiles.x + first_record;
   ivec2 record = ivec2(number % 512u * 2u, number / 512u);
   uvec4 image = texelFetch(records, record, 0);

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "render_gl/gl/projection.h"
 #include "render_gl/world/block_shaders.h"
 #include "render_gl/world/world_shaders.h"
 
@@ -14,11 +15,13 @@ constexpr std::array<const char*, kFaceProgramKinds> kKindNames = {"kBlock",  "k
                                                                    "kLiquid", "kSky",   "kSkybox"};
 
 base::Result<Program> make_face_program(const Functions& gl, FaceProgramKind kind, bool has_fog) {
-  const std::string fog = has_fog ? "#define FOG\n" : "";
-  if (kind == FaceProgramKind::kOneBlock)
-    return make_program(gl, kBlockVertexShader, (fog + kBlockFragmentShader).c_str());
-  const std::string defined = fog + "#define KIND " + kKindNames[static_cast<std::size_t>(kind)] + "\n";
-  return make_program(gl, kWorldVertexShader, (defined + kWorldFragmentShader).c_str());
+  const bool is_one_block = kind == FaceProgramKind::kOneBlock;
+  const std::string vertex =
+      std::string(kProjectionPart) + (is_one_block ? kBlockVertexShader : kWorldVertexShader);
+  const std::string defined = std::string(has_fog ? "#define FOG\n" : "") + "#define KIND " +
+                              kKindNames[static_cast<std::size_t>(kind)] + "\n";
+  const std::string fragment = defined + (is_one_block ? kBlockFragmentShader : kWorldFragmentShader);
+  return make_program(gl, vertex.c_str(), fragment.c_str());
 }
 
 }  // namespace

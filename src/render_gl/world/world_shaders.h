@@ -17,27 +17,18 @@ uniform vec3 model_origin;
 uniform uint first_record;  // of the model's tiles, less that of the world's tiles
 uniform vec3 eye;
 uniform mat3 view_axes;     // from the world to right, up, forward
-uniform vec4 projection;    // scale of x and y; near plane; 1 for perspective, 0 for parallel projection
-uniform bool full_range;    // depth of the clip space begins at -1, not at 0
 
 out vec2 face_texel;
 out vec3 ray;
 out float view_distance;  // along the view
 flat out uvec2 face_tiles;
 
-// Units that depth covers in parallel projection.
-const float kDepthRange = 262144.0;
-
 void main() {
-  bool perspective = projection.w > 0.5;
   ray = model_axes * position + (model_origin - eye);
   vec3 at = view_axes * ray;
   view_distance = at.z;
-  if (!perspective) ray = vec3(view_axes[0][2], view_axes[1][2], view_axes[2][2]);
-  float w = perspective ? at.z : 1.0;
-  // Over w: 1 at the near plane, and less behind it.
-  float depth = perspective ? projection.z : 1.0 - (at.z - projection.z) / kDepthRange;
-  gl_Position = vec4(at.x * projection.x, -at.y * projection.y, full_range ? 2.0 * depth - w : depth, w);
+  if (!is_perspective()) ray = vec3(view_axes[0][2], view_axes[1][2], view_axes[2][2]);
+  gl_Position = project(at);
   face_texel = texel;
   face_tiles = uvec2(tiles.x + first_record, tiles.y);
 }

@@ -11,21 +11,10 @@
 #include "platform/egl/offscreen_context.h"
 #include "support/effort.h"
 #include "support/game_data.h"
+#include "support/pictures/frames.h"
 
 namespace temblor::app {
 namespace {
-
-double share_within_2(const render::FrameBuffer& a, const render::FrameBuffer& b) {
-  std::size_t equal = 0;
-  for (std::size_t i = 0; i < a.pixel_count(); ++i) {
-    bool is_equal = true;
-    for (const int shift : {0, 8, 16})
-      is_equal &= std::abs(static_cast<int>(a.rgb()[i] >> shift & 255) -
-                           static_cast<int>(b.rgb()[i] >> shift & 255)) <= 2;
-    equal += is_equal;
-  }
-  return static_cast<double>(equal) / static_cast<double>(a.pixel_count());
-}
 
 base::Result<DemoRun> start(const LoadedDemo& demo, RendererKind renderer) {
   return DemoRun::start(demo, {.size = {640, 480}, .threads = {}, .renderer = renderer}, {}, {});
@@ -48,7 +37,7 @@ TEST_P(GlDemoFrames, AreThoseOfTheCpu) {
     ASSERT_TRUE(gl.advance_to(time_s).ok());
     ASSERT_TRUE(cpu.draw().ok());
     ASSERT_TRUE(gl.draw().ok());
-    shares.push_back(share_within_2(cpu.frame(), gl.frame()));
+    shares.push_back(test::equal_share(cpu.frame().rgb(), gl.frame().rgb(), 2));
     if (!*has_more) break;
   }
   double total = 0;

@@ -1,6 +1,8 @@
 #include "support/pictures/frames.h"
 
+#include <algorithm>
 #include <bit>
+#include <cstdlib>
 #include <cstring>
 #include <span>
 
@@ -49,6 +51,21 @@ std::size_t differing_pixels(const FrameCopy& a, const FrameCopy& b) {
     if (!same_color || a.depth_bits[i] != b.depth_bits[i]) ++differing;
   }
   return differing;
+}
+
+int largest_difference(std::uint32_t a, std::uint32_t b) {
+  int largest = 0;
+  for (int shift = 0; shift < 24; shift += 8)
+    largest =
+        std::max(largest, std::abs(static_cast<int>(a >> shift & 255) - static_cast<int>(b >> shift & 255)));
+  return largest;
+}
+
+double equal_share(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b, int tolerance) {
+  if (a.size() != b.size()) return 0;
+  std::size_t equal = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) equal += largest_difference(a[i], b[i]) <= tolerance;
+  return static_cast<double>(equal) / static_cast<double>(a.size());
 }
 
 std::uint64_t compute_hash(const render::FrameBuffer& frame) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "render/frame_buffer.h"
@@ -22,6 +23,12 @@ FrameCopy copy_picture(const render::FrameBuffer& frame);
 
 // Counts the pixels that differ in color or depth. The frames must have the same size.
 std::size_t differing_pixels(const FrameCopy& a, const FrameCopy& b);
+
+// The largest difference of two colors' channels.
+int largest_difference(std::uint32_t a, std::uint32_t b);
+
+// The share of pixels whose channels differ by at most `tolerance`; 0 for pictures of different sizes.
+double equal_share(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b, int tolerance);
 
 // A hash of pixels and depth, for frames that are too large to keep two of.
 std::uint64_t compute_hash(const render::FrameBuffer& frame);
