@@ -14,6 +14,11 @@ enum class MipRule { kStock, kFootprint };
 // kExact divides by z at every pixel. kEvery16 divides at every 16th pixel, as stock Quake does, and
 // interpolates linearly in between (Abrash, "Quake's 3-D Engine: The Big Picture").
 enum class Perspective { kExact, kEvery16 };
+// How a renderer on a graphics card blends texels that are not seen one to one. The CPU shows the nearest
+// one, as kNearest does. kBilinear: between four texels of the CPU's mip level. kTrilinear: between two mip
+// levels, which each pixel chooses. kAnisotropic: from more texels along the direction in which a face
+// recedes.
+enum class TextureFilter : std::uint8_t { kNearest, kBilinear, kTrilinear, kAnisotropic };
 // The rasterizer of alias models. kAuto chooses the faster one for each model where both look the same.
 enum class AliasRaster { kAuto, kAffine, kSubdivision };
 // How the world is lit: as in the game, without light maps (every texture as it is), or light maps without
@@ -26,6 +31,9 @@ struct Settings {
   int threads = 1;  // at least 1
   base::JobBackend job_backend = base::JobBackend::kOneTbb;
   MipRule mip_rule = MipRule::kFootprint;
+  TextureFilter filter = TextureFilter::kNearest;
+  // Texels that cover many pixels keep sharp edges, one pixel wide, if the filter blends.
+  bool sharp_texels = false;
   int force_mip = -1;  // 0 to 3: the mip level of every surface; negative: the rule decides
   Perspective perspective = Perspective::kExact;
   bool simd_kernels = true;  // false: the scalar reference kernels

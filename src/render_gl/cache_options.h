@@ -9,7 +9,9 @@ namespace temblor::render_gl {
 // How texels are kept. 16 bits: 5, 6, and 5 for the colors, rounded when a texel is uploaded, and clear
 // texels have a color of their own, as VQuake's time had it (a color key). The CPU's blocks always have 32
 // bits.
-enum class TexelFormat { k32Bit, k16Bit };
+//
+// kLight: samples of light, three numbers of 10 bits, which the card interpolates.
+enum class TexelFormat { k32Bit, k16Bit, kLight };
 
 struct CacheOptions {
   // A frame that needs more is drawn in portions. Less than two layers of 64 x 64 texels counts as those.

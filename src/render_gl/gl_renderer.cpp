@@ -27,7 +27,10 @@ struct GlRenderer::State {
   std::optional<FinishPass> finish;
   std::optional<LinePass> lines;
   Target target;
+  WorldMethod method = WorldMethod::kLitTextures;
 
+  base::Result<render::FrameRecord> build_surfaces(const render::FrameContext& context,
+                                                   const render::FrameBuffer& frame);
   base::Status draw(const FrameInput& input, std::uint32_t background, render::FrameBuffer& io_frame);
 };
 
@@ -50,24 +53,24 @@ base::Result<GlRenderer> GlRenderer::make(const std::function<void*(const char* 
   return GlRenderer(std::move(state));
 }
 
-namespace {
+void GlRenderer::set_method(WorldMethod method) {
+  state_->method = method;
+}
 
-// The stages on the CPU: everything up to the lit texels of the visible surfaces.
-render::FrameRecord build_surfaces(const render::FrameContext& context, const render::FrameBuffer& frame,
-                                   render::FrameCaches& io_caches) {
+// The stages on the CPU: everything up to the lit texels of the visible surfaces that have blocks.
+base::Result<render::FrameRecord> GlRenderer::State::build_surfaces(const render::FrameContext& context,
+                                                                    const render::FrameBuffer& frame) {
   const render::FrameStages stages;
   render::FrameRecord record;
-  const render::SurfaceRequests requests =
-      render::find_surfaces(context, stages, io_caches.level, frame, record);
+  render::SurfaceRequests requests = render::find_surfaces(context, stages, caches.level, frame, record);
   render::StageClock clock(record.times);
-  render::begin_surface_frame(context, io_caches.surfaces);
-  record.surfaces = render::reserve_surfaces(context, requests, io_caches.surfaces);
-  render::build_surfaces(context, record.surfaces, io_caches.mark_tables ? &*io_caches.mark_tables : nullptr);
+  TRY_STATUS(world->take_lit_tiles(gl, context, choose_options(method, context.settings), requests));
+  render::begin_surface_frame(context, caches.surfaces);
+  record.surfaces = render::reserve_surfaces(context, requests, caches.surfaces);
+  render::build_surfaces(context, record.surfaces, caches.mark_tables ? &*caches.mark_tables : nullptr);
   clock.end(render::Stage::kSurfaces);
   return record;
 }
-
-}  // namespace
 
 base::Result<render::FrameStats> GlRenderer::render(const render::Scene& scene, const render::Settings& asked,
                                                     render::FrameBuffer& io_frame) {
@@ -79,7 +82,7 @@ base::Result<render::FrameStats> GlRenderer::render(const render::Scene& scene, 
   caches.view.prepare(caches.level, io_frame);
   const render::FrameContext context{scene,         settings,     io_frame.format(),
                                      caches.colors, *caches.jobs, caches.view.arenas};
-  render::FrameRecord record = build_surfaces(context, io_frame, caches);
+  TRY(render::FrameRecord record, state_->build_surfaces(context, io_frame));
   const render::SpanSources sources =
       render::prepare_span_sources(context, record.view, record.surfaces.draws, caches.skybox);
   record.has_models = sources.fill_depth;
@@ -87,7 +90,8 @@ base::Result<render::FrameStats> GlRenderer::render(const render::Scene& scene, 
                              caches.view.fog_tables, settings.simd_kernels);
   const render::TranslucentOrder order = render::sort_translucent(
       context, {record.spans, record.edges, sources, caches.colors, fog, record.view}, record.visible);
-  const FrameInput input{context, record, sources, order, caches.level};
+  const DrawOptions options = choose_options(state_->method, settings);
+  const FrameInput input{context, record, sources, order, caches.level, options};
   // Where nothing is drawn, there is only fog.
   const std::uint32_t background =
       fog.is_on() ? render::to_rgb(render::to_bytes(scene.fog.color)) : caches.colors.rgb[0];

@@ -22,6 +22,7 @@
 #include "render/scene.h"
 #include "render/settings.h"
 #include "render_gl/cache_options.h"
+#include "render_gl/draw_options.h"
 
 namespace temblor::render_gl {
 
@@ -39,6 +40,9 @@ class GlRenderer {
   ~GlRenderer();
   GlRenderer(GlRenderer&&) noexcept;
   GlRenderer& operator=(GlRenderer&&) noexcept;
+
+  // How lit faces are drawn from the next frame on, unless the settings' filter needs another method.
+  void set_method(WorldMethod method);
 
   // Draws `scene` and copies the picture to `io_frame`, whose format must be kRgb (CHECKed); its depth stays
   // as it is. Fails if the card lacks memory, or if the context is lost; then the frame's pixels are

@@ -14,6 +14,7 @@ constexpr std::array<std::string_view, 2> kJobBackends = {"onetbb", "stdthread"}
 constexpr std::array<std::string_view, 2> kMipRules = {"footprint", "stock"};
 constexpr std::array<render::MipRule, 2> kMipRuleValues = {render::MipRule::kFootprint,
                                                            render::MipRule::kStock};
+constexpr std::array<std::string_view, 4> kFilters = {"nearest", "bilinear", "trilinear", "anisotropic"};
 constexpr std::array<std::string_view, 2> kPerspectives = {"exact", "every16"};
 constexpr std::array<std::string_view, 9> kShows = {"picture", "faces", "edges",    "spans", "surfaces",
                                                     "mips",    "pvs",   "overdraw", "depth"};
@@ -28,6 +29,10 @@ RenderSettings::RenderSettings(command::Variables& variables) {
   const render::Settings defaults;
   threads_ = variables.add_int("r_threads", 0, 0, 256, "Threads that draw a frame; 0: one per core.");
   job_backend_ = variables.add_choice("r_job_backend", kJobBackends, "The library that runs the threads.");
+  filter_ = variables.add_choice("r_filter", kFilters,
+                                 "Blending of texels with OpenGL; the CPU shows the nearest.");
+  sharp_texels_ = variables.add_bool("r_filter_sharp", defaults.sharp_texels,
+                                     "Keeps large texels sharp where r_filter blends.");
   mip_rule_ = variables.add_choice("r_mip_rule", kMipRules,
                                    "How a surface's mip level is chosen: from the pixels that a texel "
                                    "covers, or by the thresholds of the stock game.");
@@ -79,6 +84,8 @@ render::Settings RenderSettings::read(const command::Variables& variables) const
   settings.threads =
       threads > 0 ? threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   settings.job_backend = static_cast<base::JobBackend>(variables.choice_value(job_backend_));
+  settings.filter = static_cast<render::TextureFilter>(variables.choice_value(filter_));
+  settings.sharp_texels = variables.bool_value(sharp_texels_);
   settings.mip_rule = kMipRuleValues[variables.choice_value(mip_rule_)];
   settings.force_mip = static_cast<int>(variables.int_value(force_mip_));
   settings.perspective = static_cast<render::Perspective>(variables.choice_value(perspective_));

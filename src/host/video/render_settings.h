@@ -17,10 +17,10 @@ class RenderSettings {
   render::Settings read(const command::Variables& variables) const;
 
  private:
-  command::VariableIndex threads_, job_backend_, mip_rule_, force_mip_, perspective_, simd_kernels_,
-      prefetch_, surface_cache_, cache_mb_, use_pvs_, fill_depth_, draw_world_, full_bright_, light_only_,
-      colored_light_, lit_liquids_, caustics_, relight_alternate_, band_rows_, show_, alias_raster_,
-      alias_snap_;
+  command::VariableIndex threads_, job_backend_, filter_, sharp_texels_, mip_rule_, force_mip_, perspective_,
+      simd_kernels_, prefetch_, surface_cache_, cache_mb_, use_pvs_, fill_depth_, draw_world_, full_bright_,
+      light_only_, colored_light_, lit_liquids_, caustics_, relight_alternate_, band_rows_, show_,
+      alias_raster_, alias_snap_;
 };
 
 }  // namespace temblor::host

@@ -104,6 +104,8 @@ base::Result<Functions> load_functions(const FunctionFinder& find) {
     find_function(find, "glClipControlEXT", gl.ClipControl);
   else if (has_extension(gl, "GL_ARB_clip_control"))
     find_function(find, "glClipControl", gl.ClipControl);
+  gl.has_anisotropy = has_extension(gl, "GL_EXT_texture_filter_anisotropic") ||
+                      has_extension(gl, "GL_ARB_texture_filter_anisotropic");
 #ifndef NDEBUG
   if (has_extension(gl, "GL_KHR_debug")) begin_messages(find, gl);
 #endif

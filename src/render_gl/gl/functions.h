@@ -100,6 +100,8 @@ struct Functions {
 #undef TEMBLOR_GL_MEMBER
   // An extension (EXT_clip_control), and null without it. With it, depth keeps its precision far away.
   PFNGLCLIPCONTROLEXTPROC ClipControl = nullptr;
+  // Whether textures have the parameter of EXT_texture_filter_anisotropic.
+  bool has_anisotropy = false;
   // The messages of a debug context (KHR_debug); null in release builds and in other contexts.
   PFNGLGETDEBUGMESSAGELOGKHRPROC GetDebugMessageLog = nullptr;
 

@@ -73,9 +73,9 @@ base::Result<Texture> make_texture(const Functions& gl, GLenum format, TextureSi
   const GLenum target = size.layers == 0 ? GL_TEXTURE_2D : GL_TEXTURE_2D_ARRAY;
   gl.BindTexture(target, name);
   if (size.layers == 0)
-    gl.TexStorage2D(target, 1, format, size.width, size.height);
+    gl.TexStorage2D(target, size.levels, format, size.width, size.height);
   else
-    gl.TexStorage3D(target, 1, format, size.width, size.height, size.layers);
+    gl.TexStorage3D(target, size.levels, format, size.width, size.height, size.layers);
   gl.TexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   gl.TexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   gl.TexParameteri(target, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);

@@ -64,9 +64,9 @@ Framebuffer make_framebuffer(const Functions& gl);
 VertexArray make_vertex_array(const Functions& gl);
 
 // A texture without filter and mip levels, whose texels shaders fetch by number. It stays bound to `target`.
-// `layers`: 0 for GL_TEXTURE_2D. Fails with kIo if there is not enough memory.
+// `layers`: 0 for GL_TEXTURE_2D. `levels`: of mip levels. Fails with kIo if there is not enough memory.
 struct TextureSize {
-  int width, height, layers = 0;
+  int width, height, layers = 0, levels = 1;
 };
 base::Result<Texture> make_texture(const Functions& gl, GLenum format, TextureSize size);
 

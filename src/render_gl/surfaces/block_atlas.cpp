@@ -18,6 +18,21 @@ std::size_t texel_bytes(TexelFormat format) {
   return format == TexelFormat::k16Bit ? 2 : 4;
 }
 
+struct GlFormat {
+  GLenum storage, channels, type;
+};
+GlFormat find_gl_format(TexelFormat format) {
+  switch (format) {
+    case TexelFormat::k16Bit:
+      return {GL_RGB565, GL_RGB, GL_UNSIGNED_SHORT_5_6_5};
+    case TexelFormat::kLight:
+      return {GL_RGB10_A2, GL_RGBA, GL_UNSIGNED_INT_2_10_10_10_REV};
+    case TexelFormat::k32Bit:
+      break;
+  }
+  return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE};
+}
+
 std::size_t layer_bytes(TexelFormat format, int power) {
   return (std::size_t{1} << 2 * power) * texel_bytes(format);
 }
@@ -62,9 +77,13 @@ base::Result<BlockAtlas> BlockAtlas::make(const Functions& gl, const CacheOption
   const std::size_t max_layers = std::clamp(static_cast<std::size_t>(limits.layers), kMinLayers, kMaxLayers);
   const std::size_t layers =
       std::clamp(options.bytes / layer_bytes(options.format, power), kMinLayers, max_layers);
-  const GLenum gl_format = options.format == TexelFormat::k16Bit ? GL_RGB565 : GL_RGBA8;
   const int side = 1 << power;
-  TRY(Texture texture, make_texture(gl, gl_format, {side, side, static_cast<int>(layers)}));
+  TRY(Texture texture,
+      make_texture(gl, find_gl_format(options.format).storage, {side, side, static_cast<int>(layers)}));
+  if (options.format == TexelFormat::kLight) {
+    gl.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    gl.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  }
   return BlockAtlas(std::move(texture), options.format, power, static_cast<int>(layers));
 }
 
@@ -129,6 +148,14 @@ void BlockAtlas::use(Cells::iterator cell) {
   cell->frame = frame_;
 }
 
+std::optional<StoredImage> BlockAtlas::reuse(AtlasKey key) {
+  const auto found = by_key_.find(key);
+  if (found == by_key_.end() || found->second->changed) return std::nullopt;
+  counts_.hits += found->second->portion != portion_;
+  use(found->second);
+  return found->second->stored;
+}
+
 std::optional<StoredImage> BlockAtlas::place(const Functions& gl, const AtlasImage& image) {
   const render::SurfaceShape shape = shrink(image.shape);
   const RectAllocator::Size size = RectAllocator::fit(shape.width, shape.height);
@@ -170,9 +197,9 @@ void BlockAtlas::upload(const Functions& gl, const AtlasImage& image, const Stor
   }
   gl.BindTexture(GL_TEXTURE_2D_ARRAY, texture_.name());
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  const GlFormat format = find_gl_format(format_);
   gl.TexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, stored.place.x, stored.place.y, stored.place.layer, shape.width,
-                   shape.height, 1, is_packed ? GL_RGB : GL_RGBA,
-                   is_packed ? GL_UNSIGNED_SHORT_5_6_5 : GL_UNSIGNED_BYTE, source);
+                   shape.height, 1, format.channels, format.type, source);
   ++counts_.uploads;
   counts_.bytes_uploaded += shape.texels() * texel_bytes(format_);
 }

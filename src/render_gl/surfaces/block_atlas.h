@@ -26,7 +26,7 @@ namespace temblor::render_gl {
 // that no address can be (texture_key).
 using AtlasKey = std::uint64_t;
 
-// Texels to draw from, 0xAARRGGBB, row by row.
+// Texels to draw from, 0xAARRGGBB, row by row; those of light have the format's 32 bits.
 struct AtlasImage {
   AtlasKey key;
   const void* texels;
@@ -51,6 +51,8 @@ class BlockAtlas {
   void clear();
   // The image's texels have changed: it must be uploaded before it is drawn again.
   void invalidate(AtlasKey key);
+  // The image if it is there and has not changed, without its texels. As place(), it counts as used.
+  std::optional<StoredImage> reuse(AtlasKey key);
   // The image, after uploading it if it is missing or has changed. Nothing if the portion is full. Two images
   // always fit an empty portion.
   std::optional<StoredImage> place(const Functions& gl, const AtlasImage& image);

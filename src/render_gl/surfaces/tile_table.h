@@ -18,12 +18,16 @@ enum class TileKind : std::uint32_t {
   kRepeat,  // from a texture that repeats
   kLiquid,  // from a texture that repeats and is warped
   kSky,     // from the two layers of a sky
-  kSkybox   // from the scene's skybox, which is one texture
+  kSkybox,  // from the scene's skybox, which is one texture
+  kLit      // from a texture of TextureArrays, times a grid of light
 };
 
 // Bits of TileRecord::flags: texels with alpha 0 are clear; one color replaces all texels; there is no fog.
 constexpr std::uint32_t kHasHoles = 1 << 20, kHasColor = 1 << 21, kHasNoFog = 1 << 22;
 
+// Of kLit, place and layer are those of its grid of light, size is that of the block that it does without,
+// and scale_t holds other bits (lit_shaders.h).
+//
 // One tile. A texel of the atlas is found from a point of the face that is s, t texels of mip 0 from the
 // face's first texel: (s + origin_s) * scale_s from the first texel of the image. The layout is that of the
 // shader.
@@ -32,10 +36,16 @@ struct TileRecord {
   std::uint32_t size = 0;          // width | height << 16 of the image
   std::uint32_t flags = 0;         // layer | TileKind << 16 | kHas... | opacity (0 to 255) << 24
   std::uint32_t second_place = 0;  // kSky: the background's x / 8 | y / 8 << 8 | layer << 16
+                                   // kLit: the texture's first texel, x | y << 16
                                    // kHasColor: 0x00RRGGBB
   float origin_s = 0, origin_t = 0, scale_s = 1, scale_t = 1;
   bool operator==(const TileRecord&) const = default;
 };
+
+// Two numbers below 65536.
+constexpr std::uint32_t pack_halves(std::uint32_t low, std::uint32_t high) {
+  return low | high << 16;
+}
 
 class TileTable {
  public:

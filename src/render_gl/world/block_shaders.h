@@ -34,7 +34,7 @@ void main() {
 }
 )";
 
-// With FOG defined, it adds fog.
+// With FOG defined, it adds fog. FILTER is 0: with a filter, the program of several blocks is used.
 inline constexpr const char* kBlockFragmentShader = R"(
 uniform sampler2DArray atlas;
 uniform float fog_density;

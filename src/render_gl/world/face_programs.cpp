@@ -3,6 +3,7 @@
 #include <string>
 
 #include "render_gl/gl/projection.h"
+#include "render_gl/lit/lit_shaders.h"
 #include "render_gl/world/block_shaders.h"
 #include "render_gl/world/world_shaders.h"
 
@@ -11,16 +12,28 @@ namespace temblor::render_gl {
 namespace {
 
 // The names of kinds in kWorldFragmentShader, by FaceProgramKind.
-constexpr std::array<const char*, kFaceProgramKinds> kKindNames = {"kBlock",  "kBlock", "kRepeat",
-                                                                   "kLiquid", "kSky",   "kSkybox"};
+constexpr std::array<const char*, kFaceProgramKinds> kKindNames = {"kBlock", "kBlock",  "kRepeat", "kLiquid",
+                                                                   "kSky",   "kSkybox", "kLit",    "kLit"};
 
-base::Result<Program> make_face_program(const Functions& gl, FaceProgramKind kind, bool has_fog) {
-  const bool is_one_block = kind == FaceProgramKind::kOneBlock;
-  const std::string vertex =
-      std::string(kProjectionPart) + (is_one_block ? kBlockVertexShader : kWorldVertexShader);
-  const std::string defined = std::string(has_fog ? "#define FOG\n" : "") + "#define KIND " +
-                              kKindNames[static_cast<std::size_t>(kind)] + "\n";
-  const std::string fragment = defined + (is_one_block ? kBlockFragmentShader : kWorldFragmentShader);
+bool is_needed(FaceProgramKind kind, const DrawOptions& options) {
+  if (kind == FaceProgramKind::kOneLit || kind == FaceProgramKind::kLit)
+    return options.method == WorldMethod::kLitTextures;
+  return kind != FaceProgramKind::kOneBlock || options.filter == render::TextureFilter::kNearest;
+}
+
+base::Result<Program> make_face_program(const Functions& gl, FaceProgramKind kind, bool has_fog,
+                                        const DrawOptions& options) {
+  using enum FaceProgramKind;
+  std::string vertex = kProjectionPart, fragment = has_fog ? "#define FOG\n" : "";
+  fragment += std::string("#define KIND ") + kKindNames[static_cast<std::size_t>(kind)] + "\n";
+  fragment += "#define FILTER " + std::to_string(static_cast<int>(options.filter)) + "\n";
+  if (options.sharp_texels) fragment += "#define SHARP\n";
+  if (kind == kOneLit) vertex += kLitTilePart;
+  vertex += kind == kOneBlock ? kBlockVertexShader : kind == kOneLit ? kLitVertexShader : kWorldVertexShader;
+  fragment += std::string(kLitTilePart) + kLitColorPart;
+  fragment += kind == kOneBlock ? kBlockFragmentShader
+              : kind == kOneLit ? kLitFragmentShader
+                                : kWorldFragmentShader;
   return make_program(gl, vertex.c_str(), fragment.c_str());
 }
 
@@ -37,6 +50,8 @@ FaceProgram::FaceProgram(const Functions& gl, Program linked) : program(std::mov
   full_range = find("full_range");
   records = find("records");
   atlas = find("atlas");
+  textures = find("textures");
+  light_grids = find("light_grids");
   has_color_key = find("has_color_key");
   skybox = find("skybox");
   liquid_phase = find("liquid_phase");
@@ -45,12 +60,15 @@ FaceProgram::FaceProgram(const Functions& gl, Program linked) : program(std::mov
   fog_color = find("fog_color");
 }
 
-base::Result<FacePrograms> FacePrograms::make(const Functions& gl) {
+base::Result<FacePrograms> FacePrograms::make(const Functions& gl, const DrawOptions& options) {
   FacePrograms made;
-  for (std::size_t kind = 0; kind < kFaceProgramKinds; ++kind)
+  for (std::size_t number = 0; number < kFaceProgramKinds; ++number)
     for (const bool has_fog : {false, true}) {
-      TRY(Program program, make_face_program(gl, static_cast<FaceProgramKind>(kind), has_fog));
-      made.programs_.emplace_back(gl, std::move(program));
+      const auto kind = static_cast<FaceProgramKind>(number);
+      made.programs_.emplace_back();
+      if (!is_needed(kind, options)) continue;
+      TRY(Program program, make_face_program(gl, kind, has_fog, options));
+      made.programs_.back().emplace(gl, std::move(program));
     }
   return made;
 }

@@ -1,5 +1,8 @@
 #include "render_gl/world/face_queue.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "render_gl/world/level_mesh.h"
 
 namespace temblor::render_gl {
@@ -8,23 +11,6 @@ namespace {
 
 bool is_same_face(const render::ScreenSurface& a, const render::ScreenSurface& b) {
   return a.face == b.face && a.instance == b.instance;
-}
-
-// For an opaque face; those with holes and opacity need kBlocks for kOneBlock.
-FaceProgramKind choose_program(const FrameInput& input, const render::ScreenSurface& surface) {
-  const world::Face& face = input.context.level().face(surface.face);
-  if (render::has_surface(face))
-    return surface.tiles.s == 1 && surface.tiles.t == 1 ? FaceProgramKind::kOneBlock
-                                                        : FaceProgramKind::kBlocks;
-  if (face.kind == world::FaceKind::kSky)
-    return input.sources.skybox ? FaceProgramKind::kSkybox : FaceProgramKind::kSky;
-  return face.kind == world::FaceKind::kLiquid ? FaceProgramKind::kLiquid : FaceProgramKind::kTexture;
-}
-
-FaceProgramKind choose_program(const FrameInput& input, const render::DeferredFace& face) {
-  const FaceProgramKind program =
-      choose_program(input, input.record.edges.surfaces[base::to_size(face.surface)]);
-  return program == FaceProgramKind::kOneBlock ? FaceProgramKind::kBlocks : program;
 }
 
 bool is_seen(const FrameInput& input, const QueuedFace& face) {
@@ -45,29 +31,58 @@ std::optional<std::uint32_t> find_seen_draw(const FrameInput& input, const Queue
   return std::nullopt;
 }
 
-void FaceQueue::collect(const FrameInput& input, const HasRoom& has_room) {
+// For an opaque face.
+FaceQueue::Choice FaceQueue::choose(const FrameInput& input, const LitTiles* lit, std::size_t number) const {
+  using enum FaceProgramKind;
+  const render::ScreenSurface& surface = input.record.edges.surfaces[number];
+  const world::Face& face = input.context.level().face(surface.face);
+  const std::uint32_t tiles = std::uint32_t{surface.tiles.s} * surface.tiles.t;
+  if (render::has_surface(face)) {
+    for (std::uint32_t tile = 0; lit != nullptr && tile < tiles; ++tile)
+      if (const std::uint32_t draw = surface.first_draw + tile; lit->contains(draw))
+        return {tiles == 1 ? kOneLit : kLit, lit->array(draw), number};
+    const bool is_blended = input.options.filter != render::TextureFilter::kNearest;
+    return {tiles == 1 && !is_blended ? kOneBlock : kBlocks, 0, number};
+  }
+  if (face.kind == world::FaceKind::kSky) return {input.sources.skybox ? kSkybox : kSky, 0, number};
+  return {face.kind == world::FaceKind::kLiquid ? kLiquid : kTexture, 0, number};
+}
+
+// Holes and opacity need the programs of several tiles. One color for all texels needs none of them.
+FaceQueue::Choice FaceQueue::choose(const FrameInput& input, const LitTiles* lit,
+                                    const render::DeferredFace& face) const {
+  using enum FaceProgramKind;
+  Choice choice = choose(input, lit, base::to_size(face.surface));
+  if (choice.program == kOneBlock) choice.program = kBlocks;
+  if (choice.program == kOneLit) choice.program = kLit;
+  if (choice.program == kLit && face.opacity.color) choice = {kBlocks, 0, choice.surface};
+  return choice;
+}
+
+void FaceQueue::collect(const FrameInput& input, const LitTiles* lit, const HasRoom& has_room) {
   has_room_ = has_room;
   const render::EdgeTable& edges = input.record.edges;
   faces_.clear();
   indices_.clear();
-  for (std::size_t kind = 0; kind < kFaceProgramKinds; ++kind)
-    for (std::size_t i = 1; i < edges.first_deferred(); ++i)
-      if (const auto program = choose_program(input, edges.surfaces[i]);
-          program == static_cast<FaceProgramKind>(kind))
-        add(input, i, program, nullptr);
+  choices_.clear();
+  for (std::size_t i = 1; i < edges.first_deferred(); ++i) choices_.push_back(choose(input, lit, i));
+  std::ranges::stable_sort(choices_, {},
+                           [](const Choice& choice) { return std::pair(choice.program, choice.array); });
+  for (const Choice& choice : choices_) add(input, choice, nullptr);
   for (const render::DeferredFace& face : input.order.faces.opaque)
-    add(input, base::to_size(face.surface), choose_program(input, face), &face.opacity);
+    add(input, choose(input, lit, face), &face.opacity);
   first_translucent_ = faces_.size();
   for (const render::DeferredFace& face : input.order.faces.translucent)
-    add(input, base::to_size(face.surface), choose_program(input, face), &face.opacity);
+    add(input, choose(input, lit, face), &face.opacity);
 }
 
 // Fragments of one face are adjacent, and draw it once.
-void FaceQueue::add(const FrameInput& input, std::size_t number, FaceProgramKind program,
-                    const render::FaceOpacity* opacity) {
+void FaceQueue::add(const FrameInput& input, const Choice& choice, const render::FaceOpacity* opacity) {
+  const std::size_t number = choice.surface;
   const std::span<const render::ScreenSurface> surfaces = input.record.edges.surfaces;
   const render::ScreenSurface& surface = surfaces[number];
-  QueuedFace face{.program = program,
+  QueuedFace face{.program = choice.program,
+                  .array = choice.array,
                   .instance = surface.instance,
                   .face = surface.face,
                   .surface = static_cast<std::uint32_t>(number),

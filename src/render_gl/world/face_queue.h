@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "render_gl/lit/lit_tiles.h"
 #include "render_gl/world/face_programs.h"
 #include "render_gl/world/frame_input.h"
 
@@ -15,6 +16,7 @@ namespace temblor::render_gl {
 
 struct QueuedFace {
   FaceProgramKind program;
+  std::uint16_t array;     // of the texture of a lit face; else 0
   std::uint32_t instance;  // 0: the world; i + 1: Scene::brush_models[i]
   world::FaceIndex face;
   // Its fragments: EdgeTable::surfaces from `surface` on.
@@ -27,9 +29,10 @@ struct QueuedFace {
 
 class FaceQueue {
  public:
-  // Leaves out faces of which `has_room` says that their tiles have no room on the card.
+  // `lit` may be null: there are no lit tiles. Leaves out faces of which `has_room` says that their tiles
+  // have no room on the card.
   using HasRoom = std::function<bool(const render::ScreenSurface& surface)>;
-  void collect(const FrameInput& input, const HasRoom& has_room);
+  void collect(const FrameInput& input, const LitTiles* lit, const HasRoom& has_room);
 
   const std::vector<QueuedFace>& faces() const { return faces_; }
   // The number of TranslucentOrder::faces.translucent[0]; the others follow.
@@ -37,13 +40,21 @@ class FaceQueue {
   const std::vector<std::uint32_t>& indices() const { return indices_; }
 
  private:
-  void add(const FrameInput& input, std::size_t surface, FaceProgramKind program,
-           const render::FaceOpacity* opacity);
+  // How to draw a surface of EdgeTable::surfaces. Opaque ones are ordered by it.
+  struct Choice {
+    FaceProgramKind program;
+    std::uint16_t array;
+    std::size_t surface;
+  };
+  Choice choose(const FrameInput& input, const LitTiles* lit, std::size_t surface) const;
+  Choice choose(const FrameInput& input, const LitTiles* lit, const render::DeferredFace& face) const;
+  void add(const FrameInput& input, const Choice& choice, const render::FaceOpacity* opacity);
 
   HasRoom has_room_;
   std::vector<QueuedFace> faces_;
   std::size_t first_translucent_ = 0;
   std::vector<std::uint32_t> indices_;
+  std::vector<Choice> choices_;  // scratch
 };
 
 // The draw of a tile of the face that is seen, or nothing. The last one counts if several fragments show it.

@@ -4,6 +4,7 @@
 #include "render/frame/render_frame.h"
 #include "render/spans/span_sources.h"
 #include "render/translucent/translucent_layers.h"
+#include "render_gl/draw_options.h"
 
 namespace temblor::render_gl {
 
@@ -14,6 +15,7 @@ struct FrameInput {
   const render::SpanSources& sources;
   const render::TranslucentOrder& order;
   const render::LevelData& level_data;
+  const DrawOptions& options;
 
   const render::Scene& scene() const { return context.scene; }
 };

@@ -20,14 +20,12 @@ AtlasKey texture_key(const SurfaceDraw& draw, TexturePart part) {
   return std::uint64_t{1} << 63 | texture << 24 | mip << 16 | std::uint64_t{draw.light_row} << 8 |
          static_cast<std::uint64_t>(part);
 }
-std::uint32_t pack(std::uint32_t low, std::uint32_t high) {
-  return low | high << 16;
-}
 
 void set_image(TileKind kind, const StoredImage& image, TileRecord& out_record) {
   const render::SurfaceShape shape = image.shape;
-  out_record.place = pack(image.place.x, image.place.y);
-  out_record.size = pack(static_cast<std::uint32_t>(shape.width), static_cast<std::uint32_t>(shape.height));
+  out_record.place = pack_halves(image.place.x, image.place.y);
+  out_record.size =
+      pack_halves(static_cast<std::uint32_t>(shape.width), static_cast<std::uint32_t>(shape.height));
   out_record.flags = std::uint32_t{image.place.layer} | static_cast<std::uint32_t>(kind) << 16 | 0xff000000u;
 }
 

@@ -13,7 +13,7 @@ namespace temblor::render_gl {
 
 namespace {
 
-constexpr GLenum kRecordsUnit = 0, kAtlasUnit = 1, kSkyboxUnit = 2;
+constexpr GLenum kRecordsUnit = 0, kAtlasUnit = 1, kSkyboxUnit = 2, kTexturesUnit = 3, kLightUnit = 4;
 
 std::array<float, 9> columns(const math::Vec3d& x, const math::Vec3d& y, const math::Vec3d& z) {
   const math::Vec3 a(x), b(y), c(z);
@@ -26,9 +26,36 @@ WorldPass::WorldPass(const Functions& gl, FacePrograms programs, BlockAtlas atla
     : programs_(std::move(programs)), atlas_(std::move(atlas)), index_buffer_(make_buffer(gl)) {}
 
 base::Result<WorldPass> WorldPass::make(const Functions& gl, const CacheOptions& cache) {
-  TRY(FacePrograms programs, FacePrograms::make(gl));
+  TRY(FacePrograms programs, FacePrograms::make(gl, {}));
   TRY(BlockAtlas atlas, BlockAtlas::make(gl, cache));
   return WorldPass(gl, std::move(programs), std::move(atlas));
+}
+
+base::Status WorldPass::set_options(const Functions& gl, const DrawOptions& options) {
+  if (options == options_) return base::Ok{};
+  TRY(programs_, FacePrograms::make(gl, options));
+  if (options.method != WorldMethod::kLitTextures) {
+    lit_.reset();
+  } else if (!lit_) {
+    TRY(lit_, LitTiles::make(gl));
+  }
+  lit_level_ = {};  // its textures need the options' filter
+  options_ = options;
+  return base::Ok{};
+}
+
+base::Status WorldPass::take_lit_tiles(const Functions& gl, const render::FrameContext& context,
+                                       const DrawOptions& options, render::SurfaceRequests& io_requests) {
+  TRY_STATUS(set_options(gl, options));
+  if (!lit_) return base::Ok{};
+  const world::Level& level = context.level();
+  if (lit_level_ != level.identity) {
+    TRY_STATUS(lit_->set_level(gl, level, context.colors));
+    lit_->set_filter(gl, options.filter);
+    lit_level_ = level.identity;
+  }
+  lit_->take(level, io_requests);
+  return base::Ok{};
 }
 
 base::Status WorldPass::prepare(const Functions& gl, const FrameInput& input) {
@@ -38,7 +65,7 @@ base::Status WorldPass::prepare(const Functions& gl, const FrameInput& input) {
   atlas_.begin_frame();
   for (const render::BlockRequest& built : input.record.surfaces.missing)
     atlas_.invalidate(block_key(built.block));
-  faces_.collect(input, [this](const render::ScreenSurface& surface) {
+  faces_.collect(input, lit(), [this](const render::ScreenSurface& surface) {
     return mesh_.first_tile(surface.face) + record_offset_[surface.instance] +
                std::uint32_t{surface.tiles.s} * surface.tiles.t <=
            table_.capacity();
@@ -82,6 +109,7 @@ base::Status WorldPass::number_instances(const Functions& gl, const FrameInput& 
 void WorldPass::begin_portion(const Functions& gl, const FrameInput& input) {
   const std::vector<QueuedFace>& faces = faces_.faces();
   atlas_.begin_portion();
+  if (lit_) lit_->begin_portion();
   portion_.begin = portion_.next_tile > 0 ? portion_.end - 1 : portion_.end;
   bool is_full = false;
   for (portion_.end = portion_.begin; portion_.end < faces.size() && !is_full; ++portion_.end)
@@ -102,7 +130,9 @@ bool WorldPass::place_face(const Functions& gl, const FrameInput& input, const Q
     TileRecord record;
     const std::optional<std::uint32_t> draw = find_seen_draw(input, face, tile);
     if (draw && tile >= begin && !is_full) {
-      const std::optional<TileRecord> placed = place_tile(gl, input, *draw, atlas_);
+      const std::optional<TileRecord> placed = lit_ && lit_->contains(*draw)
+                                                   ? lit_->place(gl, input.context.level(), *draw)
+                                                   : place_tile(gl, input, *draw, atlas_);
       is_full = !placed;
       if (is_full)
         portion_.next_tile = tile;
@@ -116,12 +146,15 @@ bool WorldPass::place_face(const Functions& gl, const FrameInput& input, const Q
 }
 
 const FaceProgram& WorldPass::begin_draw(const Functions& gl, const FrameInput& input,
-                                         FaceProgramKind kind) const {
+                                         const QueuedFace& face) const {
+  using enum FaceProgramKind;
+  FaceProgramKind kind = face.program;
   const render::ViewFrame& view = input.record.view;
   const render::Fog& fog = input.scene().fog;
   const bool has_fog = fog.density > 0;
-  // The program of one block takes the distance of fog from 1/w, which parallel projection lacks.
-  if (has_fog && !view.perspective && kind == FaceProgramKind::kOneBlock) kind = FaceProgramKind::kBlocks;
+  // The programs of one tile take the distance of fog from 1/w, which parallel projection lacks.
+  if (has_fog && !view.perspective && kind == kOneBlock) kind = kBlocks;
+  if (has_fog && !view.perspective && kind == kOneLit) kind = kLit;
   const FaceProgram& shader = programs_.get(kind, has_fog);
   gl.UseProgram(shader.program.name());
   gl.ActiveTexture(GL_TEXTURE0 + kRecordsUnit);
@@ -130,6 +163,14 @@ const FaceProgram& WorldPass::begin_draw(const Functions& gl, const FrameInput& 
   gl.BindTexture(GL_TEXTURE_2D_ARRAY, atlas_.texture());
   gl.ActiveTexture(GL_TEXTURE0 + kSkyboxUnit);
   gl.BindTexture(GL_TEXTURE_2D_ARRAY, skybox_.texture());
+  if (kind == kOneLit || kind == kLit) {
+    gl.ActiveTexture(GL_TEXTURE0 + kTexturesUnit);
+    gl.BindTexture(GL_TEXTURE_2D_ARRAY, lit_->array_texture(face.array));
+    gl.ActiveTexture(GL_TEXTURE0 + kLightUnit);
+    gl.BindTexture(GL_TEXTURE_2D_ARRAY, lit_->light_texture());
+  }
+  gl.Uniform1i(shader.textures, kTexturesUnit);
+  gl.Uniform1i(shader.light_grids, kLightUnit);
   gl.Uniform1i(shader.records, kRecordsUnit);
   gl.Uniform1i(shader.atlas, kAtlasUnit);
   gl.Uniform1i(shader.has_color_key, atlas_.format() == TexelFormat::k16Bit);
@@ -172,16 +213,20 @@ void WorldPass::draw_faces(const Functions& gl, const FrameInput& input, const F
                   reinterpret_cast<const void*>(std::size_t{first_index} * sizeof(std::uint32_t)));
 }
 
+// Faces with the same program and texture array follow one another.
 void WorldPass::draw_opaque_portion(const Functions& gl, const FrameInput& input) const {
   const std::size_t end = std::min(portion_.end, faces_.first_translucent());
+  const std::span<const QueuedFace> faces(faces_.faces());
   const FaceProgram* bound = nullptr;
-  std::optional<FaceProgramKind> bound_kind;
+  const QueuedFace* before = nullptr;
+  const auto has_same_textures = [](const QueuedFace& a, const QueuedFace& b) {
+    return a.program == b.program && a.array == b.array;
+  };
   for (std::size_t begin = portion_.begin, i = begin; begin < end; begin = i) {
-    const std::span<const QueuedFace> faces(faces_.faces());
     const QueuedFace& first = faces[begin];
-    while (i < end && faces[i].instance == first.instance && faces[i].program == first.program) ++i;
-    if (std::exchange(bound_kind, first.program) != first.program)
-      bound = &begin_draw(gl, input, first.program);
+    while (i < end && faces[i].instance == first.instance && has_same_textures(faces[i], first)) ++i;
+    if (before == nullptr || !has_same_textures(*before, first)) bound = &begin_draw(gl, input, first);
+    before = &first;
     draw_faces(gl, input, *bound, faces.subspan(begin, i - begin));
   }
   gl.BindVertexArray(0);
@@ -198,7 +243,7 @@ void WorldPass::draw_opaque(const Functions& gl, const FrameInput& input) {
 void WorldPass::draw_translucent_portion(const Functions& gl, const FrameInput& input,
                                          std::size_t number) const {
   const QueuedFace& face = faces_.faces()[number];
-  const FaceProgram& program = begin_draw(gl, input, face.program);
+  const FaceProgram& program = begin_draw(gl, input, face);
   gl.Enable(GL_BLEND);
   gl.BlendFunc(GL_SRC_ALPHA, face.opacity->is_additive ? GL_ONE : GL_ONE_MINUS_SRC_ALPHA);
   gl.DepthMask(GL_FALSE);

@@ -9,9 +9,11 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "render_gl/lit/lit_tiles.h"
 #include "render_gl/surfaces/block_atlas.h"
 #include "render_gl/surfaces/tile_table.h"
 #include "render_gl/world/face_programs.h"
@@ -27,6 +29,11 @@ class WorldPass {
   // Frames are rgb.
   static base::Result<WorldPass> make(const Functions& gl, const CacheOptions& cache);
 
+  // Prepares for the level, and takes the tiles that need no surface block out of the frame's requests, which
+  // must live as long as the frame. Comes first in each frame. Fails if the card lacks the memory, or does
+  // not accept a shader.
+  base::Status take_lit_tiles(const Functions& gl, const render::FrameContext& context,
+                              const DrawOptions& options, render::SurfaceRequests& io_requests);
   // Brings the frame's first portion of texels and records, and all vertices, to the graphics card. Fails if
   // the card lacks memory.
   base::Status prepare(const Functions& gl, const FrameInput& input);
@@ -38,7 +45,7 @@ class WorldPass {
 
   // Counts of the last frame.
   const CacheCounts& counts() const { return atlas_.counts(); }
-  std::size_t cache_bytes() const { return atlas_.bytes(); }
+  std::size_t cache_bytes() const { return atlas_.bytes() + (lit_ ? lit_->bytes() : 0); }
 
  private:
   // The queued faces whose texels are in the atlas now. The last one goes on in the next portion, with
@@ -54,17 +61,23 @@ class WorldPass {
 
   WorldPass(const Functions& gl, FacePrograms programs, BlockAtlas atlas);
   base::Status set_level(const Functions& gl, const FrameInput& input);
+  base::Status set_options(const Functions& gl, const DrawOptions& options);
+  // Null: the options need no lit tiles.
+  LitTiles* lit() { return lit_ ? &*lit_ : nullptr; }
   base::Status number_instances(const Functions& gl, const FrameInput& input);
   void begin_portion(const Functions& gl, const FrameInput& input);
   bool place_face(const Functions& gl, const FrameInput& input, const QueuedFace& face);
-  const FaceProgram& begin_draw(const Functions& gl, const FrameInput& input, FaceProgramKind kind) const;
+  const FaceProgram& begin_draw(const Functions& gl, const FrameInput& input, const QueuedFace& face) const;
   void draw_faces(const Functions& gl, const FrameInput& input, const FaceProgram& program,
                   std::span<const QueuedFace> faces) const;
   void draw_opaque_portion(const Functions& gl, const FrameInput& input) const;
   void draw_translucent_portion(const Functions& gl, const FrameInput& input, std::size_t number) const;
 
   FacePrograms programs_;
+  DrawOptions options_;  // of the programs
   BlockAtlas atlas_;
+  std::optional<LitTiles> lit_;
+  std::shared_ptr<const world::LevelIdentity> lit_level_;
   TileTable table_;
   std::shared_ptr<const world::LevelIdentity> level_;
   LevelMesh mesh_;

@@ -34,7 +34,8 @@ void main() {
 }
 )";
 
-// KIND is defined as one of the kinds below, and FOG if there is fog.
+// KIND is defined as one of the kinds below, and FOG if there is fog. FILTER and SHARP: lit_shaders.h;
+// textures without light and blocks are blended between four texels if FILTER is not 0.
 inline constexpr const char* kWorldFragmentShader = R"(
 uniform usampler2D records;
 uniform sampler2DArray atlas;
@@ -51,7 +52,7 @@ in float view_distance;
 flat in uvec2 face_tiles;
 out vec4 color;
 
-const uint kHidden = 0u, kBlock = 1u, kRepeat = 2u, kLiquid = 3u, kSky = 4u, kSkybox = 5u;
+const uint kHidden = 0u, kBlock = 1u, kRepeat = 2u, kLiquid = 3u, kSky = 4u, kSkybox = 5u, kLit = 6u;
 const float kTileTexels = 256.0;
 const float kTurn = 6.28318530718 / 128.0;
 
@@ -62,10 +63,54 @@ vec4 atlas_texel(ivec2 at, int layer) {
   return has_color_key && texel.rgb == vec3(1, 0, 1) ? vec4(0) : texel;
 }
 
-vec4 repeated_texel(vec2 at, ivec2 first, ivec2 size, int layer) {
+vec4 one_repeated_texel(vec2 at, ivec2 first, ivec2 size, int layer) {
   ivec2 whole = ivec2(floor(at - floor(at / vec2(size)) * vec2(size)));
   return atlas_texel(first + clamp(whole, ivec2(0), size - 1), layer);
 }
+
+vec4 block_texel(vec2 at, ivec2 first, ivec2 size, int layer) {
+  return atlas_texel(first + clamp(ivec2(floor(at)), ivec2(0), size - 1), layer);
+}
+
+#if FILTER == 0
+vec4 repeated_texel(vec2 at, ivec2 first, ivec2 size, int layer) {
+  return one_repeated_texel(at, first, size, layer);
+}
+vec4 block_color(vec2 at, ivec2 first, ivec2 size, int layer) { return block_texel(at, first, size, layer); }
+#else
+// Clear texels have a part in the opacity only.
+vec4 blend(vec4 a, vec4 b, vec4 c, vec4 d, vec2 share) {
+  vec4 shares = vec4((1.0 - share.x) * (1.0 - share.y), share.x * (1.0 - share.y), (1.0 - share.x) * share.y,
+                     share.x * share.y) * vec4(a.a, b.a, c.a, d.a);
+  float sum = dot(shares, vec4(1));
+  return vec4((a.rgb * shares.x + b.rgb * shares.y + c.rgb * shares.z + d.rgb * shares.w) / max(sum, 1e-6), sum);
+}
+
+// The position between the centers of four texels; with SHARP, within a pixel of their edges only.
+vec2 find_share(vec2 at) {
+  vec2 share = fract(at - 0.5);
+#ifdef SHARP
+  vec2 texels_per_pixel = clamp(max(abs(dFdx(at)), abs(dFdy(at))), 1e-6, 1.0);
+  share = clamp((share - 0.5) / texels_per_pixel + 0.5, 0.0, 1.0);
+#endif
+  return share;
+}
+
+vec4 repeated_texel(vec2 at, ivec2 first, ivec2 size, int layer) {
+  vec2 corner = at - 0.5;
+  return blend(one_repeated_texel(corner, first, size, layer),
+               one_repeated_texel(corner + vec2(1, 0), first, size, layer),
+               one_repeated_texel(corner + vec2(0, 1), first, size, layer),
+               one_repeated_texel(corner + vec2(1, 1), first, size, layer), find_share(at));
+}
+
+vec4 block_color(vec2 at, ivec2 first, ivec2 size, int layer) {
+  vec2 corner = at - 0.5;
+  return blend(block_texel(corner, first, size, layer), block_texel(corner + vec2(1, 0), first, size, layer),
+               block_texel(corner + vec2(0, 1), first, size, layer),
+               block_texel(corner + vec2(1, 1), first, size, layer), find_share(at));
+}
+#endif
 
 // Two layers on a dome whose height is stretched threefold.
 vec4 sky_texel(uvec4 image, ivec2 size, int layer) {
@@ -118,8 +163,10 @@ void main() {
   int layer = int(image.z & 0xffffu);
   vec2 at = face_texel + mapping.xy;
   if (kind == kBlock) {
-    ivec2 whole = clamp(ivec2(floor(at * mapping.zw)), ivec2(0), size - 1);
-    color = atlas_texel(first + whole, layer);
+    color = block_color(at * mapping.zw, first, size, layer);
+  } else if (kind == kLit) {
+    vec2 step_x = dFdx(face_texel) * mapping.z, step_y = dFdy(face_texel) * mapping.z;
+    color = vec4(find_lit_color(read_lit_tile(image, mapping), at * mapping.z, step_x, step_y), 1.0);
   } else if (kind == kSky) {
     color = sky_texel(image, size, layer);
   } else if (kind == kSkybox) {
@@ -129,7 +176,8 @@ void main() {
     color = repeated_texel(at * mapping.zw, first, size, layer);
   }
   if ((image.z >> 20 & 1u) != 0u && color.a < 0.5) discard;
-  if ((image.z >> 21 & 1u) != 0u) color = vec4(image.w & 0xffu, image.w >> 8 & 0xffu, image.w >> 16, 255) / 255.0;
+  if (kind != kLit && (image.z >> 21 & 1u) != 0u)
+    color = vec4(image.w & 0xffu, image.w >> 8 & 0xffu, image.w >> 16, 255) / 255.0;
 #ifdef FOG
   if ((image.z >> 22 & 1u) == 0u) {
     float thickness = fog_density / 64.0 * max(view_distance, 0.0);

@@ -6,6 +6,7 @@
 namespace temblor::client {
 
 std::span<const OptionLook> picture_options() {
+  static constexpr std::string_view kFilters[] = {"nearest", "bilinear", "trilinear", "anisotropic"};
   static constexpr std::string_view kRenderers[] = {"CPU", "OpenGL"};
   static constexpr std::string_view kColorModes[] = {"true color", "256 colors"};
   static constexpr OptionLook kLooks[] = {
@@ -27,6 +28,8 @@ std::span<const OptionLook> picture_options() {
        .shown_factor = 100,
        .unit = "%"},
       {.variable = "vid_renderer", .label = "Renderer", .names = kRenderers},
+      {.variable = "r_filter", .label = "Texture filter", .names = kFilters},
+      {.variable = "r_filter_sharp", .label = "Sharp texels"},
       {.variable = "vid_color", .label = "Color mode", .names = kColorModes},
       {.variable = "gamma", .label = "Gamma", .low = 0.5, .high = 2, .step = 0.05},
       {.variable = "contrast", .label = "Contrast", .low = 0.5, .high = 2, .step = 0.05},

@@ -1,0 +1,10 @@
+#include "render_gl/draw_options.h"
+
+namespace temblor::render_gl {
+
+DrawOptions choose_options(WorldMethod method, const render::Settings& settings) {
+  if (settings.filter == render::TextureFilter::kNearest) return {.method = method};
+  return {WorldMethod::kLitTextures, settings.filter, settings.sharp_texels};
+}
+
+}  // namespace temblor::render_gl

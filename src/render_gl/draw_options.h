@@ -1,0 +1,29 @@
+// How the card draws the level: the player's filter, and methods that the laboratory compares.
+#pragma once
+
+#include <cstdint>
+
+#include "render/settings.h"
+
+namespace temblor::render_gl {
+
+// How lit faces get their texels. Faces that only the CPU can compose (with marks, holes, glow, or waves)
+// have blocks in every method.
+enum class WorldMethod : std::uint8_t {
+  kBlocks,      // the CPU lights surface blocks, as in VQuake
+  kLitTextures  // each pixel is a texel times its light: two textures in one pass
+};
+
+// What the programs of the level's faces depend on. Blending filters need kLitTextures; blocks, and textures
+// without light, are blended between four texels in all of them.
+struct DrawOptions {
+  WorldMethod method = WorldMethod::kBlocks;
+  render::TextureFilter filter = render::TextureFilter::kNearest;
+  bool sharp_texels = false;  // false if nothing is blended
+  bool operator==(const DrawOptions&) const = default;
+};
+
+// `method` is for frames that are not blended.
+DrawOptions choose_options(WorldMethod method, const render::Settings& settings);
+
+}  // namespace temblor::render_gl
