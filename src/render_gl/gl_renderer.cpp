@@ -131,7 +131,7 @@ base::Status GlRenderer::State::draw(const FrameInput& input, std::uint32_t back
   return target.read(gl, io_frame.rgb());
 }
 
-const CacheCounts& GlRenderer::cache_counts() const {
+CacheCounts GlRenderer::cache_counts() const {
   return state_->world->counts();
 }
 

@@ -51,7 +51,7 @@ class GlRenderer {
                                           render::FrameBuffer& io_frame);
 
   // How the last frame used the card's cache, and the memory that the cache takes.
-  const CacheCounts& cache_counts() const;
+  CacheCounts cache_counts() const;
   std::size_t cache_bytes() const;
 
   // Driver and version, for a person.

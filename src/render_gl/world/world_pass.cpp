@@ -31,6 +31,17 @@ base::Result<WorldPass> WorldPass::make(const Functions& gl, const CacheOptions&
   return WorldPass(gl, std::move(programs), std::move(atlas));
 }
 
+CacheCounts WorldPass::counts() const {
+  CacheCounts counts = atlas_.counts();
+  if (!lit_) return counts;
+  const CacheCounts& light = lit_->light_counts();
+  counts.hits += light.hits;
+  counts.uploads += light.uploads;
+  counts.evicted += light.evicted;
+  counts.bytes_uploaded += light.bytes_uploaded;
+  return counts;
+}
+
 base::Status WorldPass::set_options(const Functions& gl, const DrawOptions& options) {
   if (options == options_) return base::Ok{};
   TRY(programs_, FacePrograms::make(gl, options));

@@ -43,8 +43,8 @@ class WorldPass {
   // depth. Numbers must rise from call to call.
   void draw_translucent(const Functions& gl, const FrameInput& input, std::uint32_t face);
 
-  // Counts of the last frame.
-  const CacheCounts& counts() const { return atlas_.counts(); }
+  // Counts of the last frame: blocks, textures that repeat, and grids of light.
+  CacheCounts counts() const;
   std::size_t cache_bytes() const { return atlas_.bytes() + (lit_ ? lit_->bytes() : 0); }
 
  private:

@@ -34,7 +34,7 @@ TEST(CardProgram, MeasuresEveryCache) {
   ASSERT_EQ(run.exit_status, 0) << run.err;
   const json result = json::parse(run.out);
   EXPECT_NE(result.at("driver"), "");
-  const json& caches = result.at("caches");
+  const json& caches = result.at("runs");
   ASSERT_EQ(caches.size(), 16u);
   for (std::size_t i = 0; i < caches.size(); ++i) {
     const json& cache = caches[i];

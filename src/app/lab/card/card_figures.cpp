@@ -21,6 +21,7 @@ namespace temblor::app {
 namespace {
 
 using render_gl::TexelFormat;
+using render_gl::WorldMethod;
 
 int largest_difference(std::uint32_t a, std::uint32_t b) {
   int largest = 0;
@@ -113,10 +114,11 @@ struct CardBench {
   render::Renderer cpu;
 };
 
-base::Status measure_cache(CardBench& io_bench, const CardLimit& limit, CardFigures& io_figures) {
+base::Status measure_run(CardBench& io_bench, const CardLimit& limit, CardFigures& io_figures) {
   const assets::Look& look = io_bench.scenes.look();
   TRY(render_gl::GlRenderer gl,
       render_gl::GlRenderer::make(io_bench.find_function, look.palette, look.colormap, io_figures.cache));
+  gl.set_method(io_figures.method);
   CardRun run(std::move(gl), io_bench.cpu, io_figures.size, io_bench.settings);
   base::Status drawn = base::Ok{};
   const double end_s = clock_s() + limit.seconds;
@@ -137,9 +139,40 @@ base::Result<std::string> describe_driver(const CardBench& bench) {
   return gl.describe();
 }
 
-std::string describe_cache(const render_gl::CacheOptions& cache) {
-  return fmt::format("{} MB, {}", cache.bytes >> 20,
-                     cache.format == TexelFormat::k16Bit ? "16 bit" : "32 bit");
+// The methods next to the caches of blocks.
+constexpr WorldMethod kOtherMethods[] = {WorldMethod::kLitTextures};
+
+const char* method_name(WorldMethod method) {
+  switch (method) {
+    case WorldMethod::kBlocks:
+      return "blocks";
+    case WorldMethod::kLitTextures:
+      return "lit textures";
+  }
+  return "";
+}
+
+std::string describe_run(const CardFigures& figures) {
+  if (figures.method != WorldMethod::kBlocks) return method_name(figures.method);
+  return fmt::format("{} MB, {}", figures.cache.bytes >> 20,
+                     figures.cache.format == TexelFormat::k16Bit ? "16 bit" : "32 bit");
+}
+
+// What is measured at one size.
+std::vector<CardFigures> plan_runs(const CardGrid& grid, FrameSize size) {
+  std::vector<CardFigures> runs;
+  const auto add = [&](WorldMethod method, const render_gl::CacheOptions& cache) {
+    CardFigures figures;
+    figures.size = size;
+    figures.method = method;
+    figures.cache = cache;
+    runs.push_back(figures);
+  };
+  for (const TexelFormat format : {TexelFormat::k32Bit, TexelFormat::k16Bit})
+    for (const std::size_t megabytes : grid.megabytes)
+      add(WorldMethod::kBlocks, {.bytes = megabytes << 20, .format = format});
+  for (const WorldMethod method : kOtherMethods) add(method, {});
+  return runs;
 }
 
 }  // namespace
@@ -153,30 +186,26 @@ base::Result<CardResults> measure_card(const LabScenes& scenes, const CardGrid& 
   CardResults results;
   results.name = scenes.name();
   TRY(results.driver, describe_driver(bench));
-  Progress progress("caches");
-  const std::size_t total = grid.sizes.size() * 2 * grid.megabytes.size();
+  Progress progress("runs");
   for (const FrameSize size : grid.sizes) {
     CardLimit limit{0, grid.seconds};
-    for (const TexelFormat format : {TexelFormat::k32Bit, TexelFormat::k16Bit})
-      for (const std::size_t megabytes : grid.megabytes) {
-        progress.update(results.caches.size(), total);
-        CardFigures figures;
-        figures.size = size;
-        figures.cache = {.bytes = megabytes << 20, .format = format};
-        const base::Status measured = measure_cache(bench, limit, figures);
-        if (!measured.ok()) figures.problem = measured.error().message();
-        if (limit.frames == 0) limit.frames = figures.frames;
-        results.caches.push_back(std::move(figures));
-      }
+    std::vector<CardFigures> runs = plan_runs(grid, size);
+    for (CardFigures& figures : runs) {
+      progress.update(results.runs.size(), grid.sizes.size() * runs.size());
+      const base::Status measured = measure_run(bench, limit, figures);
+      if (!measured.ok()) figures.problem = measured.error().message();
+      if (limit.frames == 0) limit.frames = figures.frames;
+      results.runs.push_back(std::move(figures));
+    }
   }
   return results;
 }
 
 std::string describe_card(const CardResults& results) {
   std::string text =
-      fmt::format("{}: surfaces in the memory of the card\n{}\n", results.name, results.driver);
+      fmt::format("{}: surfaces, and light, in the memory of the card\n{}\n", results.name, results.driver);
   const CardFigures* previous = nullptr;
-  for (const CardFigures& f : results.caches) {
+  for (const CardFigures& f : results.runs) {
     if (previous == nullptr || format_size(previous->size) != format_size(f.size))
       text += fmt::format(
           "\n{}, {} frames\n"
@@ -187,13 +216,13 @@ std::string describe_card(const CardResults& results) {
           format_size(f.size), f.frames);
     previous = &f;
     if (!f.problem.empty()) {
-      text += fmt::format("  {:<14} {}\n", describe_cache(f.cache), f.problem);
+      text += fmt::format("  {:<14} {}\n", describe_run(f), f.problem);
       continue;
     }
     text += fmt::format(
         "  {:<14}{:>7.2f} {:>7.2f} {:>7.2f} {:>7.1f} {:>7.1f} {:>7.1f} {:>8.2f} {:>6.0f} {:>6.0f} {:>7.1f} "
         "{:>6.2f}%\n",
-        describe_cache(f.cache), f.frame_ms.p50, f.frame_ms.p99, f.frame_ms.max, f.hits, f.uploads, f.evicted,
+        describe_run(f), f.frame_ms.p50, f.frame_ms.p99, f.frame_ms.max, f.hits, f.uploads, f.evicted,
         f.portions, f.bytes_uploaded / 1000, f.max_bytes_uploaded / 1000,
         static_cast<double>(f.cache_bytes) / (1 << 20), 100 * f.equal_share);
   }
@@ -201,28 +230,29 @@ std::string describe_card(const CardResults& results) {
 }
 
 nlohmann::json make_card_json(const CardResults& results) {
-  nlohmann::json caches = nlohmann::json::array();
-  for (const CardFigures& f : results.caches) {
-    caches.push_back({{"size", format_size(f.size)},
-                      {"megabytes", f.cache.bytes >> 20},
-                      {"bits", f.cache.format == TexelFormat::k16Bit ? 16 : 32}});
-    nlohmann::json& cache = caches.back();
+  nlohmann::json runs = nlohmann::json::array();
+  for (const CardFigures& f : results.runs) {
+    runs.push_back({{"size", format_size(f.size)},
+                    {"method", method_name(f.method)},
+                    {"megabytes", f.cache.bytes >> 20},
+                    {"bits", f.cache.format == TexelFormat::k16Bit ? 16 : 32}});
+    nlohmann::json& run = runs.back();
     if (!f.problem.empty()) {
-      cache["problem"] = f.problem;
+      run["problem"] = f.problem;
       continue;
     }
-    cache.update({{"cache_bytes", f.cache_bytes},
-                  {"frames", f.frames},
-                  {"frame_ms", make_json(f.frame_ms)},
-                  {"hits", f.hits},
-                  {"uploads", f.uploads},
-                  {"evicted", f.evicted},
-                  {"portions", f.portions},
-                  {"bytes_uploaded", f.bytes_uploaded},
-                  {"max_bytes_uploaded", f.max_bytes_uploaded},
-                  {"equal_share", f.equal_share}});
+    run.update({{"cache_bytes", f.cache_bytes},
+                {"frames", f.frames},
+                {"frame_ms", make_json(f.frame_ms)},
+                {"hits", f.hits},
+                {"uploads", f.uploads},
+                {"evicted", f.evicted},
+                {"portions", f.portions},
+                {"bytes_uploaded", f.bytes_uploaded},
+                {"max_bytes_uploaded", f.max_bytes_uploaded},
+                {"equal_share", f.equal_share}});
   }
-  return {{"scene", results.name}, {"driver", results.driver}, {"caches", std::move(caches)}};
+  return {{"scene", results.name}, {"driver", results.driver}, {"runs", std::move(runs)}};
 }
 
 }  // namespace temblor::app

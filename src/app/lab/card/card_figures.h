@@ -1,6 +1,6 @@
-// How the card's cache of surfaces does at several sizes: frames of one level or demo, drawn through OpenGL
-// with each cache in turn. VQuake's card had 4 MB, less its pictures, and 16-bit texels (Abrash, "Quake: A
-// Post-Mortem and a Glimpse into the Future").
+// How the card's cache of surfaces does at several sizes, and how methods without such a cache do: frames of
+// one level or demo, drawn through OpenGL with each in turn. VQuake's card had 4 MB, less its pictures, and
+// 16-bit texels (Abrash, "Quake: A Post-Mortem and a Glimpse into the Future").
 #pragma once
 
 #include <cstddef>
@@ -12,6 +12,7 @@
 #include "app/commands/options.h"
 #include "app/lab/lab_scenes.h"
 #include "render_gl/cache_options.h"
+#include "render_gl/draw_options.h"
 
 namespace temblor::app {
 
@@ -22,9 +23,11 @@ struct CardGrid {
   double seconds = 2.5;  // that the first cache of each size draws
 };
 
-// One cache at one frame size. Counts are means per frame, after the first one, which fills the cache.
+// One cache, or another method, at one frame size. Counts are means per frame, after the first one, which
+// fills the cache.
 struct CardFigures {
   FrameSize size;
+  render_gl::WorldMethod method = render_gl::WorldMethod::kBlocks;
   render_gl::CacheOptions cache;
   std::size_t cache_bytes = 0;  // its memory on the card
   std::size_t frames = 0;
@@ -39,10 +42,11 @@ struct CardFigures {
 
 struct CardResults {
   std::string name, driver;
-  std::vector<CardFigures> caches;  // by size, then format, then megabytes
+  // By size. First kBlocks by format, then megabytes, then the other methods with 64 MB.
+  std::vector<CardFigures> runs;
 };
 
-// At one size, every cache draws the same frames: as many as the first one draws in the time. Fails without
+// At one size, every run draws the same frames: as many as the first one draws in the time. Fails without
 // OpenGL.
 base::Result<CardResults> measure_card(const LabScenes& scenes, const CardGrid& grid,
                                        const render::Settings& settings);
@@ -50,9 +54,9 @@ base::Result<CardResults> measure_card(const LabScenes& scenes, const CardGrid& 
 // A table for each size.
 std::string describe_card(const CardResults& results);
 
-// An object: scene, driver, and a list "caches" of
+// An object: scene, driver, and a list "runs" of
 //
-//   size, megabytes, bits, cache_bytes, frames
+//   size, method, megabytes, bits, cache_bytes, frames
 //   frame_ms {p50, p99, max}
 //   hits, uploads, evicted, portions, bytes_uploaded     means per frame
 //   max_bytes_uploaded                                   in one frame
