@@ -76,8 +76,8 @@ HostVariables::Registered::Registered(command::Variables& variables)
                                        "Pauses a single-player game while another window is in use.");
   mute_unfocused =
       variables.add_bool("snd_muteunfocused", true, "Mutes all sound while another window is in use.");
-  renderer = variables.add_choice("vid_renderer", kRenderers,
-                                  "Renderer of the view: the CPU, or OpenGL (gl), which draws true color.");
+  renderer =
+      variables.add_choice("vid_renderer", kRenderers, "Renderer of the view: the CPU, or OpenGL (gl).");
   color = variables.add_choice(
       "vid_color", kColors,
       "Color mode: true color (rgb), or the 256 colors of the game's palette (indexed).");

@@ -2,7 +2,9 @@
 
 namespace temblor::render_gl {
 
-DrawOptions choose_options(WorldMethod method, const render::Settings& settings) {
+DrawOptions choose_options(WorldMethod method, const render::FrameContext& context) {
+  if (context.is_indexed()) return {};
+  const render::Settings& settings = context.settings;
   if (settings.filter == render::TextureFilter::kNearest) return {.method = method};
   return {WorldMethod::kLitTextures, settings.filter, settings.sharp_texels};
 }

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "render/settings.h"
+#include "render/view/frame_context.h"
 
 namespace temblor::render_gl {
 
@@ -23,7 +23,8 @@ struct DrawOptions {
   bool operator==(const DrawOptions&) const = default;
 };
 
-// `method` is for frames that are not blended.
-DrawOptions choose_options(WorldMethod method, const render::Settings& settings);
+// `method` is for frames whose texels are not blended. Palette indices never are, and they are lit by the
+// CPU.
+DrawOptions choose_options(WorldMethod method, const render::FrameContext& context);
 
 }  // namespace temblor::render_gl

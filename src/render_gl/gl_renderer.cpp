@@ -14,25 +14,68 @@
 
 namespace temblor::render_gl {
 
+namespace {
+
+// All passes, and their picture, for frames of one format.
+struct Passes {
+  static base::Result<Passes> make(const Functions& gl, const CacheOptions& cache,
+                                   const render::ColorTables& colors, render::PixelFormat format);
+
+  render::PixelFormat format;
+  WorldPass world;
+  AliasPass models;
+  SpritePass sprites;
+  ParticlePass particles;
+  FinishPass finish;
+  LinePass lines;
+  IndexTables index_tables = {};  // indexed frames only
+  Target target = {};
+};
+
+base::Result<Passes> Passes::make(const Functions& gl, const CacheOptions& cache,
+                                  const render::ColorTables& colors, render::PixelFormat format) {
+  TRY(WorldPass world, WorldPass::make(gl, cache, format));
+  TRY(AliasPass models, AliasPass::make(gl, colors, format));
+  TRY(SpritePass sprites, SpritePass::make(gl, format));
+  TRY(ParticlePass particles, ParticlePass::make(gl, format));
+  TRY(FinishPass finish, FinishPass::make(gl));
+  TRY(LinePass lines, LinePass::make(gl));
+  return Passes{format,
+                std::move(world),
+                std::move(models),
+                std::move(sprites),
+                std::move(particles),
+                std::move(finish),
+                std::move(lines)};
+}
+
+}  // namespace
+
 // The functions come first, since everything below refers to them.
 struct GlRenderer::State {
-  State(const Functions& functions, render::ColorTables colors) : gl(functions), caches(std::move(colors)) {}
+  State(const Functions& functions, render::ColorTables colors, const CacheOptions& options)
+      : gl(functions), caches(std::move(colors)), cache(options) {}
 
   const Functions gl;
   render::FrameCaches caches;
-  std::optional<WorldPass> world;
-  std::optional<AliasPass> models;
-  std::optional<SpritePass> sprites;
-  std::optional<ParticlePass> particles;
-  std::optional<FinishPass> finish;
-  std::optional<LinePass> lines;
-  Target target;
+  const CacheOptions cache;
+  std::optional<Passes> passes;  // always there; those of the last frame's format
+
   WorldMethod method = WorldMethod::kLitTextures;
 
   base::Result<render::FrameRecord> build_surfaces(const render::FrameContext& context,
                                                    const render::FrameBuffer& frame);
+  base::Status set_format(render::PixelFormat format);
   base::Status draw(const FrameInput& input, std::uint32_t background, render::FrameBuffer& io_frame);
 };
+
+// The old ones go first: the card may lack memory for both.
+base::Status GlRenderer::State::set_format(render::PixelFormat format) {
+  if (passes && passes->format == format) return base::Ok{};
+  passes.reset();
+  TRY(passes, Passes::make(gl, cache, caches.colors, format));
+  return base::Ok{};
+}
 
 GlRenderer::GlRenderer(std::unique_ptr<State> state) : state_(std::move(state)) {}
 GlRenderer::~GlRenderer() = default;
@@ -43,13 +86,8 @@ base::Result<GlRenderer> GlRenderer::make(const std::function<void*(const char* 
                                           const formats::Palette& palette, const formats::Colormap& colormap,
                                           const CacheOptions& cache) {
   TRY(const Functions functions, load_functions(find_function));
-  auto state = std::make_unique<State>(functions, render::make_color_tables(palette, colormap));
-  TRY(state->world, WorldPass::make(state->gl, cache));
-  TRY(state->models, AliasPass::make(state->gl, state->caches.colors));
-  TRY(state->sprites, SpritePass::make(state->gl));
-  TRY(state->particles, ParticlePass::make(state->gl));
-  TRY(state->finish, FinishPass::make(state->gl));
-  TRY(state->lines, LinePass::make(state->gl));
+  auto state = std::make_unique<State>(functions, render::make_color_tables(palette, colormap), cache);
+  TRY_STATUS(state->set_format(render::PixelFormat::kRgb));
   return GlRenderer(std::move(state));
 }
 
@@ -64,7 +102,7 @@ base::Result<render::FrameRecord> GlRenderer::State::build_surfaces(const render
   render::FrameRecord record;
   render::SurfaceRequests requests = render::find_surfaces(context, stages, caches.level, frame, record);
   render::StageClock clock(record.times);
-  TRY_STATUS(world->take_lit_tiles(gl, context, choose_options(method, context.settings), requests));
+  TRY_STATUS(passes->world.take_lit_tiles(gl, context, choose_options(method, context), requests));
   render::begin_surface_frame(context, caches.surfaces);
   record.surfaces = render::reserve_surfaces(context, requests, caches.surfaces);
   render::build_surfaces(context, record.surfaces, caches.mark_tables ? &*caches.mark_tables : nullptr);
@@ -72,10 +110,26 @@ base::Result<render::FrameRecord> GlRenderer::State::build_surfaces(const render
   return record;
 }
 
+namespace {
+
+// The tables that FrameFog has made.
+const std::uint8_t* find_fog_rows(const render::FrameContext& context, render::ViewCaches& io_view) {
+  return io_view.fog_tables.rows_for(context.scene.fog.color, context.colors.palette, context.colors.match);
+}
+
+// Where nothing is drawn, there is only fog. `fog_rows`: of indexed frames with fog.
+std::uint32_t find_background(const render::FrameContext& context, const std::uint8_t* fog_rows) {
+  if (context.is_indexed()) return fog_rows == nullptr ? 0 : fog_rows[std::size_t{render::kFogSteps} * 256];
+  const render::Fog& fog = context.scene.fog;
+  return fog.density > 0 ? render::to_rgb(render::to_bytes(fog.color)) : context.colors.rgb[0];
+}
+
+}  // namespace
+
 base::Result<render::FrameStats> GlRenderer::render(const render::Scene& scene, const render::Settings& asked,
                                                     render::FrameBuffer& io_frame) {
   CHECK(scene.level != nullptr);
-  CHECK(io_frame.format() == render::PixelFormat::kRgb);
+  TRY_STATUS(state_->set_format(io_frame.format()));
   const render::Settings settings = render::resolve_settings(asked, scene, io_frame);
   render::FrameCaches& caches = state_->caches;
   caches.prepare(scene, settings);
@@ -90,11 +144,14 @@ base::Result<render::FrameStats> GlRenderer::render(const render::Scene& scene, 
                              caches.view.fog_tables, settings.simd_kernels);
   const render::TranslucentOrder order = render::sort_translucent(
       context, {record.spans, record.edges, sources, caches.colors, fog, record.view}, record.visible);
-  const DrawOptions options = choose_options(state_->method, settings);
-  const FrameInput input{context, record, sources, order, caches.level, options};
-  // Where nothing is drawn, there is only fog.
-  const std::uint32_t background =
-      fog.is_on() ? render::to_rgb(render::to_bytes(scene.fog.color)) : caches.colors.rgb[0];
+  IndexTables* const index_tables = context.is_indexed() ? &state_->passes->index_tables : nullptr;
+  const std::uint8_t* const fog_rows =
+      fog.is_on() && context.is_indexed() ? find_fog_rows(context, caches.view) : nullptr;
+  if (index_tables != nullptr) TRY_STATUS(index_tables->set_fog(state_->gl, fog_rows));
+  const DrawOptions options = choose_options(state_->method, context);
+  const FrameInput input{context, record, sources, order, caches.level, options, index_tables};
+  const std::uint32_t background = find_background(context, fog_rows);
+  io_frame.set_palette_tint(context.is_indexed() ? scene.tint : render::Tint());
   render::StageClock clock(record.times);
   TRY_STATUS(state_->draw(input, background, io_frame));
   clock.end(render::Stage::kSpans);
@@ -103,7 +160,7 @@ base::Result<render::FrameStats> GlRenderer::render(const render::Scene& scene, 
                             {*scene.level, record.view, record.edges, record.spans, record.surfaces.draws},
                             caches.colors.palette, io_frame);
   render::FrameStats stats = render::collect_frame_stats(record, scene);
-  state_->models->count(stats);
+  state_->passes->models.count(stats);
   return stats;
 }
 
@@ -111,32 +168,39 @@ base::Result<render::FrameStats> GlRenderer::render(const render::Scene& scene, 
 base::Status GlRenderer::State::draw(const FrameInput& input, std::uint32_t background,
                                      render::FrameBuffer& io_frame) {
   using Kind = render::TranslucentLayer::Kind;
-  if (target.width() != io_frame.width() || target.height() != io_frame.height()) {
-    TRY(target, Target::make(gl, io_frame.width(), io_frame.height()));
+  Passes& p = *passes;
+  if (!p.target.has_layout(io_frame.width(), io_frame.height(), p.format)) {
+    TRY(p.target, Target::make(gl, io_frame.width(), io_frame.height(), p.format));
   }
-  TRY_STATUS(world->prepare(gl, input));
-  TRY_STATUS(sprites->prepare(gl, input));
-  target.begin(gl, background);
-  world->draw_opaque(gl, input);
-  TRY_STATUS(models->draw_opaque(gl, input));
-  sprites->draw_opaque(gl, input);
-  TRY_STATUS(particles->draw(gl, input));
+  TRY_STATUS(p.world.prepare(gl, input));
+  TRY_STATUS(p.sprites.prepare(gl, input));
+  p.target.begin(gl, background);
+  p.world.draw_opaque(gl, input);
+  TRY_STATUS(p.models.draw_opaque(gl, input));
+  p.sprites.draw_opaque(gl, input);
+  TRY_STATUS(p.particles.draw(gl, input));
   for (const render::TranslucentLayer& layer : input.order.layers) {
-    if (layer.kind == Kind::kFace) world->draw_translucent(gl, input, layer.number);
-    if (layer.kind == Kind::kSprite) sprites->draw_translucent(gl, input, layer.number);
-    TRY_STATUS(models->draw_translucent(gl, input, layer, target));
+    if (layer.kind == Kind::kFace) TRY_STATUS(p.world.draw_translucent(gl, input, layer.number, p.target));
+    if (layer.kind == Kind::kSprite)
+      TRY_STATUS(p.sprites.draw_translucent(gl, input, layer.number, p.target));
+    TRY_STATUS(p.models.draw_translucent(gl, input, layer, p.target));
   }
-  TRY_STATUS(finish->draw(gl, input.scene(), target));
-  TRY_STATUS(lines->draw(gl, input.scene(), input.record.view));
-  return target.read(gl, io_frame.rgb());
+  TRY_STATUS(p.finish.draw(gl, input.scene(), p.target));
+  TRY_STATUS(p.lines.draw(gl, input));
+  if (p.format == render::PixelFormat::kIndexed) return p.target.read(gl, io_frame.indexed());
+  return p.target.read(gl, io_frame.rgb());
+}
+
+void GlRenderer::make_blend_tables() const {
+  state_->caches.colors.blends.make_all();
 }
 
 CacheCounts GlRenderer::cache_counts() const {
-  return state_->world->counts();
+  return state_->passes->world.counts();
 }
 
 std::size_t GlRenderer::cache_bytes() const {
-  return state_->world->cache_bytes();
+  return state_->passes->world.cache_bytes();
 }
 
 std::string GlRenderer::describe() const {

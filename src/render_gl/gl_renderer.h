@@ -44,11 +44,15 @@ class GlRenderer {
   // How lit faces are drawn from the next frame on, unless the settings' filter needs another method.
   void set_method(WorldMethod method);
 
-  // Draws `scene` and copies the picture to `io_frame`, whose format must be kRgb (CHECKed); its depth stays
-  // as it is. Fails if the card lacks memory, or if the context is lost; then the frame's pixels are
+  // Draws `scene` and copies the picture to `io_frame`, in its format; its depth stays as it is. A frame of
+  // another format than the last one makes everything again. Fails if the card lacks memory, if the driver
+  // does not accept the shaders of the format, or if the context is lost; then the frame's pixels are
   // undefined.
   base::Result<render::FrameStats> render(const render::Scene& scene, const render::Settings& settings,
                                           render::FrameBuffer& io_frame);
+
+  // Computes what indexed frames need for translucency (Renderer::make_blend_tables).
+  void make_blend_tables() const;
 
   // How the last frame used the card's cache, and the memory that the cache takes.
   CacheCounts cache_counts() const;

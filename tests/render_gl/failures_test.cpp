@@ -9,8 +9,8 @@
 namespace temblor::render_gl {
 namespace {
 
-// Draws frames of a scene with models, one of them translucent, under water.
-class FailingCard : public testing::Test {
+// Draws frames of a scene with models, one of them translucent, in fog, under water.
+class FailingCard : public testing::TestWithParam<render::PixelFormat> {
  protected:
   void SetUp() override {
     auto made = InjectedGl::make();
@@ -27,9 +27,11 @@ class FailingCard : public testing::Test {
     return GlRenderer::make(card_->finder(), level_.palette, level_.colormap);
   }
   base::Status draw(GlRenderer& io_renderer) {
-    render::FrameBuffer frame(64, 48, render::PixelFormat::kRgb);
+    render::FrameBuffer frame(64, 48, GetParam());
     render::Scene scene = scene_.scene(*level_.level);
     scene.underwater = true;
+    scene.fog = {.density = 0.1f, .color = {0.8f, 0.5f, 0.2f}};
+    scene.liquid_alpha = {.water = 0.5f, .slime = 0.5f, .lava = 0.5f, .teleport = 0.5f};
     const auto drawn = io_renderer.render(scene, {}, frame);
     return drawn.ok() ? base::Status(base::Ok{}) : drawn.error();
   }
@@ -59,7 +61,7 @@ bool contains(const std::string& text, const char* part) {
   return text.find(part) != std::string::npos;
 }
 
-TEST_F(FailingCard, DeletesAllThatItHas) {
+TEST_P(FailingCard, DeletesAllThatItHas) {
   {
     base::Result<GlRenderer> renderer = make();
     ASSERT_TRUE(renderer.ok());
@@ -71,7 +73,7 @@ TEST_F(FailingCard, DeletesAllThatItHas) {
   EXPECT_EQ(run(), "");
 }
 
-TEST_F(FailingCard, NamesEachMissingFunction) {
+TEST_P(FailingCard, NamesEachMissingFunction) {
 #define TEMBLOR_GL_NAME(Type, Name) "gl" #Name,
   for (const char* name : {TEMBLOR_GL_FUNCTIONS(TEMBLOR_GL_NAME)}) {
     card_->faults.missing_function = name;
@@ -81,7 +83,7 @@ TEST_F(FailingCard, NamesEachMissingFunction) {
 }
 
 // An old driver also lacks functions, but its age is the reason.
-TEST_F(FailingCard, SaysThatADriverIsTooOld) {
+TEST_P(FailingCard, SaysThatADriverIsTooOld) {
   for (const GLint major : {0, 1, 2}) {
     card_->faults.integers[GL_MAJOR_VERSION] = major;
     card_->faults.missing_function = "glGenVertexArrays";
@@ -92,7 +94,7 @@ TEST_F(FailingCard, SaysThatADriverIsTooOld) {
   }
 }
 
-TEST_F(FailingCard, SurvivesEachShaderThatDoesNotCompileOrLink) {
+TEST_P(FailingCard, SurvivesEachShaderThatDoesNotCompileOrLink) {
   ASSERT_EQ(run(), "");
   const InjectedGl::Calls all = card_->calls;
   EXPECT_EQ(all.compile, 2 * all.link);
@@ -107,7 +109,7 @@ TEST_F(FailingCard, SurvivesEachShaderThatDoesNotCompileOrLink) {
   }
 }
 
-TEST_F(FailingCard, SurvivesEachTextureAndBufferThatDoesNotFit) {
+TEST_P(FailingCard, SurvivesEachTextureAndBufferThatDoesNotFit) {
   ASSERT_EQ(run(), "");
   const InjectedGl::Calls all = card_->calls;
   for (int number = 0; number < all.texture; ++number) {
@@ -121,7 +123,7 @@ TEST_F(FailingCard, SurvivesEachTextureAndBufferThatDoesNotFit) {
   }
 }
 
-TEST_F(FailingCard, SaysThatItCannotDrawIntoTextures) {
+TEST_P(FailingCard, SaysThatItCannotDrawIntoTextures) {
   ASSERT_EQ(run(), "");
   const int all = card_->calls.framebuffer;
   EXPECT_GE(all, 3);  // the picture, another one for the warp, and a model's
@@ -131,7 +133,7 @@ TEST_F(FailingCard, SaysThatItCannotDrawIntoTextures) {
   }
 }
 
-TEST_F(FailingCard, SaysThatTheContextIsLost) {
+TEST_P(FailingCard, SaysThatTheContextIsLost) {
   constexpr GLenum kContextLost = 0x0507;
   card_->faults.texture_error = kContextLost;
   card_->faults.texture = 0;
@@ -139,13 +141,16 @@ TEST_F(FailingCard, SaysThatTheContextIsLost) {
 }
 
 // A frame that fails leaves the renderer as it was.
-TEST_F(FailingCard, DrawsTheNextFrameAfterOneThatFailed) {
+TEST_P(FailingCard, DrawsTheNextFrameAfterOneThatFailed) {
   base::Result<GlRenderer> renderer = make();
   ASSERT_TRUE(renderer.ok());
   card_->faults.texture = card_->calls.texture + 1;
   EXPECT_FALSE(draw(*renderer).ok());
   EXPECT_TRUE(draw(*renderer).ok());
 }
+
+INSTANTIATE_TEST_SUITE_P(BothFormats, FailingCard,
+                         testing::Values(render::PixelFormat::kRgb, render::PixelFormat::kIndexed));
 
 }  // namespace
 }  // namespace temblor::render_gl

@@ -14,12 +14,15 @@ namespace {
 constexpr int kWidth = 640, kHeight = 480;
 
 // Gray where the pictures are equal, red where they differ.
-render::FrameBuffer make_difference(const render::FrameBuffer& a, const render::FrameBuffer& b) {
+render::FrameBuffer make_difference(const render::FrameBuffer& a, const render::FrameBuffer& b,
+                                    const formats::Palette& palette) {
   render::FrameBuffer out(a.width(), a.height(), render::PixelFormat::kRgb);
   for (std::size_t i = 0; i < a.pixel_count(); ++i) {
-    const int difference = test::largest_difference(a.rgb()[i], b.rgb()[i]);
-    const std::uint32_t dark = (a.rgb()[i] >> 2) & 0x3f3f3fu;
-    out.rgb()[i] = 0xff000000u | (difference > 2 ? 0xff0000u : dark);
+    const bool is_indexed = a.format() == render::PixelFormat::kIndexed;
+    const bool differs =
+        is_indexed ? a.indexed()[i] != b.indexed()[i] : test::largest_difference(a.rgb()[i], b.rgb()[i]) > 2;
+    const std::uint32_t shown = is_indexed ? render::to_rgb(palette[a.indexed()[i]]) : a.rgb()[i];
+    out.rgb()[i] = 0xff000000u | (differs ? 0xff0000u : (shown >> 2) & 0x3f3f3fu);
   }
   return out;
 }
@@ -60,8 +63,21 @@ double RendererPair::compare(const render::Scene& scene, const render::Settings&
   const std::string number = name_ + "-" + std::to_string(picture_count_++);
   test::show_picture(number + "-cpu", cpu_frame_, palette_);
   test::show_picture(number + "-gl", gl_frame_, palette_);
-  test::show_picture(number + "-difference", make_difference(cpu_frame_, gl_frame_), palette_);
+  test::show_picture(number + "-difference", make_difference(cpu_frame_, gl_frame_, palette_), palette_);
+  if (cpu_frame_.format() == render::PixelFormat::kIndexed) return equal_indices();
   return test::equal_share(cpu_frame_.rgb(), gl_frame_.rgb(), tolerance);
+}
+
+void RendererPair::set_format(render::PixelFormat format) {
+  cpu_frame_ = render::FrameBuffer(kWidth, kHeight, format);
+  gl_frame_ = render::FrameBuffer(kWidth, kHeight, format);
+}
+
+double RendererPair::equal_indices() const {
+  std::size_t equal = 0;
+  for (std::size_t i = 0; i < cpu_frame_.pixel_count(); ++i)
+    equal += cpu_frame_.indexed()[i] == gl_frame_.indexed()[i];
+  return static_cast<double>(equal) / static_cast<double>(cpu_frame_.pixel_count());
 }
 
 }  // namespace temblor::render_gl

@@ -21,9 +21,13 @@ class RendererPair {
       const test::DrawableLevel& look, ClipControl clip_control = ClipControl::kIfSupported,
       const CacheOptions& cache = {});
 
-  // Draws the scene with both, and returns the share of pixels whose channels differ by at most `tolerance`.
+  // Draws the scene with both, and returns the share of pixels whose channels differ by at most `tolerance`;
+  // of indexed frames, that of equal indices.
   // CHECKs that the card draws. Writes the pictures and their difference if the test run asks for pictures.
   double compare(const render::Scene& scene, const render::Settings& settings, int tolerance = 2);
+
+  // The format of the frames from now on; rgb at first.
+  void set_format(render::PixelFormat format);
 
   // Makes its context current.
   GlRenderer& gl();
@@ -32,6 +36,7 @@ class RendererPair {
 
  private:
   RendererPair(const test::DrawableLevel& look);
+  double equal_indices() const;
 
   std::string name_;
   formats::Palette palette_;

@@ -17,7 +17,7 @@ struct Held {
 };
 
 // Every level has its own models, sprite, and skybox, which are freed when the next one is drawn.
-class LevelChanges : public testing::Test {
+class LevelChanges : public testing::TestWithParam<render::PixelFormat> {
  protected:
   void SetUp() override {
     auto made = InjectedGl::make();
@@ -45,7 +45,8 @@ class LevelChanges : public testing::Test {
     drawn.skybox = &skybox;
     drawn.sprites = {&instance, 1};
     drawn.underwater = true;
-    render::FrameBuffer frame(64, 48, render::PixelFormat::kRgb);
+    drawn.fog = {.density = 0.05f, .color = math::Vec3(0.5f)};
+    render::FrameBuffer frame(64, 48, GetParam());
     for (int repeat = 0; repeat < 2; ++repeat) {
       const auto result = io_renderer.render(drawn, {}, frame);
       ASSERT_TRUE(result.ok()) << result.error().what;
@@ -58,9 +59,9 @@ class LevelChanges : public testing::Test {
   std::unique_ptr<InjectedGl> card_;
 };
 
-TEST_F(LevelChanges, KeepNothingOfOldLevels) {
+TEST_P(LevelChanges, KeepNothingOfOldLevels) {
   constexpr std::size_t kFirst = 20;
-  const std::size_t changes = test::effort(1000, 60);
+  const std::size_t changes = test::effort(500, 60);
   {
     GlRenderer renderer = GlRenderer::make(card_->finder(), levels_[0].palette, levels_[0].colormap).value();
     Held most;
@@ -78,6 +79,9 @@ TEST_F(LevelChanges, KeepNothingOfOldLevels) {
   }
   EXPECT_EQ(card_->live_objects(), 0u);
 }
+
+INSTANTIATE_TEST_SUITE_P(BothFormats, LevelChanges,
+                         testing::Values(render::PixelFormat::kRgb, render::PixelFormat::kIndexed));
 
 }  // namespace
 }  // namespace temblor::render_gl

@@ -43,7 +43,7 @@ base::Result<bool> DemoRun::advance_by_packet() {
 }
 
 base::Status DemoRun::warm_up() {
-  if (frame_.format() == render::PixelFormat::kIndexed) drawer_.cpu().make_blend_tables();
+  if (frame_.format() == render::PixelFormat::kIndexed) drawer_.make_blend_tables();
   TRY_STATUS(draw());
   return base::Ok{};
 }

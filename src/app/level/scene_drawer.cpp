@@ -4,8 +4,6 @@
 
 namespace temblor::app {
 
-using base::ErrorCode;
-
 base::Result<SceneDrawer> SceneDrawer::make(RendererKind kind, const formats::Palette& palette,
                                             const formats::Colormap& colormap) {
   SceneDrawer drawer(palette, colormap);
@@ -22,10 +20,12 @@ base::Result<render::FrameStats> SceneDrawer::draw(const render::Scene& scene,
                                                    const render::Settings& settings,
                                                    render::FrameBuffer& io_frame) {
   if (!gl_) return cpu_.render(scene, settings, io_frame);
-  if (io_frame.format() != render::PixelFormat::kRgb)
-    return base::error(ErrorCode::kUnsupported, "OpenGL draws only rgb pictures (--color rgb)");
   TRY_STATUS(context_->make_current());
   return gl_->render(scene, settings, io_frame);
+}
+
+void SceneDrawer::make_blend_tables() const {
+  gl_ ? gl_->make_blend_tables() : cpu_.make_blend_tables();
 }
 
 }  // namespace temblor::app

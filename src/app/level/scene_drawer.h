@@ -18,9 +18,11 @@ class SceneDrawer {
   static base::Result<SceneDrawer> make(RendererKind kind, const formats::Palette& palette,
                                         const formats::Colormap& colormap);
 
-  // Draws into every pixel of the frame, which must be rgb for OpenGL (kUnsupported).
+  // Draws into every pixel of the frame.
   base::Result<render::FrameStats> draw(const render::Scene& scene, const render::Settings& settings,
                                         render::FrameBuffer& io_frame);
+  // So that no indexed frame waits for them (Renderer::make_blend_tables).
+  void make_blend_tables() const;
   // Draws overlays in both cases.
   render::Renderer& cpu() { return cpu_; }
 

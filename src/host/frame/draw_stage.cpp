@@ -144,13 +144,18 @@ void update_renderer(Host& io_host) {
 render::FrameStats draw_view(GameData& io_data, const render::Settings& settings,
                              render::FrameBuffer& io_frame) {
   const render::Scene& scene = io_data.presentation.scene();
-  if (io_data.gl_view && io_data.technique == 0 && io_frame.format() == render::PixelFormat::kRgb) {
+  if (io_data.gl_view && io_data.technique == 0) {
     const base::Result<render::FrameStats> drawn = io_data.gl_view->draw(scene, settings, io_frame);
     if (drawn.ok()) return *drawn;
     io_data.gl_failure = drawn.error();
     // It must not be used again; the next frame drops it.
   }
   return io_data.renderer.render(scene, settings, io_frame);
+}
+
+void make_blend_tables(const GameData& data) {
+  data.renderer.make_blend_tables();
+  if (data.gl_view) data.gl_view->make_blend_tables();
 }
 
 // Draws the view and the overlay on top, or a black background if there is no view or the console covers it.
@@ -161,7 +166,7 @@ void draw_frame(Host& io_host, const DrawSettings& settings, render::FrameBuffer
   overlay.clear();
   if (has_view(io_host) && !io_host.console.ui.covers_frame()) {
     // The first view of a session appears after a level has loaded, so nobody notices this wait.
-    if (io_frame.format() == render::PixelFormat::kIndexed) data.renderer.make_blend_tables();
+    if (io_frame.format() == render::PixelFormat::kIndexed) make_blend_tables(data);
     stats = draw_view(data, settings.render, io_frame);
     // Before the overlay is drawn, so that the picture shows neither the menu nor the status bar.
     if (!io_host.saves.picture_request.empty()) write_save_picture(io_host, io_frame);

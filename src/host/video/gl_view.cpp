@@ -33,6 +33,10 @@ base::Result<render::FrameStats> GlView::draw(const render::Scene& scene, const 
   return drawn;
 }
 
+void GlView::make_blend_tables() const {
+  renderer_->make_blend_tables();
+}
+
 void GlView::run(std::function<void()> work) {
   thread_.begin(std::move(work));
   thread_.wait();

@@ -26,10 +26,12 @@ class GlView {
   GlView(const GlView&) = delete;
   GlView& operator=(const GlView&) = delete;
 
-  // Draws into every pixel of the frame, which must be rgb. Fails if the card lacks memory or the context is
+  // Draws into every pixel of the frame. Fails if the card lacks memory or the context is
   // lost; then this object must not be used again.
   base::Result<render::FrameStats> draw(const render::Scene& scene, const render::Settings& settings,
                                         render::FrameBuffer& io_frame);
+  // So that no indexed frame waits for them (Renderer::make_blend_tables).
+  void make_blend_tables() const;
 
  private:
   GlView() = default;

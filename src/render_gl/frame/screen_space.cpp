@@ -11,16 +11,18 @@ ScreenProgram::ScreenProgram(const Functions& gl, Program program)
       full_range_(gl.GetUniformLocation(program_.name(), "full_range")),
       perspective_(gl.GetUniformLocation(program_.name(), "perspective")),
       fog_density_(gl.GetUniformLocation(program_.name(), "fog_density")),
-      fog_color_(gl.GetUniformLocation(program_.name(), "fog_color")) {}
+      fog_color_(gl.GetUniformLocation(program_.name(), "fog_color")),
+      index_(gl, program_) {}
 
 base::Result<ScreenProgram> ScreenProgram::make(const Functions& gl, const char* vertex_source,
-                                                const char* fragment_source) {
+                                                const char* fragment_source, ShaderLook look) {
   TRY(Program program, make_program(gl, (std::string(kScreenVertexPart) + vertex_source).c_str(),
-                                    (std::string(kScreenFragmentPart) + fragment_source).c_str()));
+                                    (look_part(look) + kScreenFragmentPart + fragment_source).c_str()));
   return ScreenProgram(gl, std::move(program));
 }
 
-void ScreenProgram::use(const Functions& gl, const render::ViewFrame& view, const render::Fog& fog) const {
+void ScreenProgram::use(const Functions& gl, const render::ViewFrame& view, const render::Fog& fog,
+                        const IndexTables* tables) const {
   constexpr double kDepthRange =
       262144;  // units that depth covers in parallel projection, as in world_shaders.h
   gl.UseProgram(program_.name());
@@ -36,6 +38,7 @@ void ScreenProgram::use(const Functions& gl, const render::ViewFrame& view, cons
   gl.Uniform1f(fog_density_, fog.density);
   gl.Uniform3f(fog_color_, static_cast<float>(color.b) / 255, static_cast<float>(color.g) / 255,
                static_cast<float>(color.r) / 255);
+  if (tables != nullptr) tables->use_fog(gl, index_);
 }
 
 }  // namespace temblor::render_gl

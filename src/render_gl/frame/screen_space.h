@@ -7,7 +7,9 @@
 
 #include "render/scene.h"
 #include "render/view/view_frame.h"
+#include "render_gl/frame/index_tables.h"
 #include "render_gl/gl/objects.h"
+#include "render_gl/gl/shader_look.h"
 
 namespace temblor::render_gl {
 
@@ -38,8 +40,12 @@ vec3 add_fog(vec3 color, float depth) {
   if (fog_density <= 0.0) return color;
   float units = perspective ? 1.0 / max(depth, 1e-20) : max(-depth, 0.0);
   float thickness = fog_density / 64.0 * units;
+#ifdef INDEXED
+  return vec3(fog_index(color.r, 1.0 - exp(-thickness * thickness)), 0, 0);
+#else
   float share = floor((1.0 - exp(-thickness * thickness)) * 256.0 + 0.5) / 256.0;
   return mix(color, fog_color, share) + 0.001 / 255.0;
+#endif
 }
 )";
 
@@ -48,10 +54,12 @@ class ScreenProgram {
  public:
   // The sources follow the parts above. Fails as make_program() does.
   static base::Result<ScreenProgram> make(const Functions& gl, const char* vertex_source,
-                                          const char* fragment_source);
+                                          const char* fragment_source, ShaderLook look = ShaderLook::kColors);
 
-  // Uses the program from now on, for a view and its fog.
-  void use(const Functions& gl, const render::ViewFrame& view, const render::Fog& fog) const;
+  // Uses the program from now on, for a view and its fog. `tables`: null unless indices are drawn.
+  void use(const Functions& gl, const render::ViewFrame& view, const render::Fog& fog,
+           const IndexTables* tables) const;
+  const IndexUniforms& index_uniforms() const { return index_; }
   GLuint name() const { return program_.name(); }
 
  private:
@@ -59,6 +67,7 @@ class ScreenProgram {
 
   Program program_;
   GLint pixel_size_, depth_scale_, full_range_, perspective_, fog_density_, fog_color_;
+  IndexUniforms index_;
 };
 
 }  // namespace temblor::render_gl

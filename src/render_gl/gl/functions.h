@@ -36,6 +36,7 @@ using FunctionFinder = std::function<void*(const char* name)>;
   X(PFNGLCLEARDEPTHFPROC, ClearDepthf)                         \
   X(PFNGLCOLORMASKPROC, ColorMask)                             \
   X(PFNGLCOMPILESHADERPROC, CompileShader)                     \
+  X(PFNGLCOPYTEXSUBIMAGE2DPROC, CopyTexSubImage2D)             \
   X(PFNGLCREATEPROGRAMPROC, CreateProgram)                     \
   X(PFNGLCREATESHADERPROC, CreateShader)                       \
   X(PFNGLCULLFACEPROC, CullFace)                               \

@@ -3,32 +3,30 @@
 // model do not show through its front, and the depth of the picture stays.
 #pragma once
 
-#include "render_gl/frame/target.h"
+#include "render_gl/world/frame_input.h"
 
 namespace temblor::render_gl {
 
-// A rectangle of the picture, in pixels from its first row and column.
-struct PixelRect {
-  int x, y, width, height;
-};
-
 class AliasLayer {
  public:
-  static base::Result<AliasLayer> make(const Functions& gl);
+  static base::Result<AliasLayer> make(const Functions& gl, render::PixelFormat format);
 
   // Until end(), drawing goes to a clear picture of the target's size, inside `rect` only. Fails if the card
   // lacks memory for that picture.
   base::Status begin(const Functions& gl, const Target& target, const PixelRect& rect);
-  // Blends what was drawn since begin() into the target, which is drawn to from then on. `opacity`: 0 to 1.
-  void end(const Functions& gl, const Target& target, float opacity) const;
+  // Blends what was drawn since begin() into the target, which is drawn to from then on. `alpha`: 0 to 1.
+  // Fails if the card lacks memory.
+  base::Status end(const Functions& gl, const FrameInput& input, float alpha, Target& io_target) const;
 
  private:
   AliasLayer(const Functions& gl, Program program);
 
   Program program_;
   GLint colors_, depths_, opacity_;
+  IndexUniforms index_;
   VertexArray no_vertices_;
   Target picture_;
+  PixelRect rect_{};
 };
 
 }  // namespace temblor::render_gl

@@ -3,16 +3,16 @@
 #include <string>
 
 #include "render/alias/draw_alias_models.h"
-#include "render/alias/light_alias.h"
 #include "render/alias/prepare_alias.h"
 #include "render_gl/gl/projection.h"
+#include "render_gl/gl/shader_look.h"
 #include "render_gl/models/alias_shaders.h"
 
 namespace temblor::render_gl {
 
 namespace {
 
-constexpr GLint kSkinsUnit = 0, kPalettesUnit = 1;
+constexpr GLint kSkinsUnit = 0, kPalettesUnit = 1, kColormapUnit = 2, kTintsUnit = 3;
 
 bool is_weapon(const render::AliasPlacement& placement) {
   return placement.depth_scale == render::kWeaponDepthScale;
@@ -21,18 +21,23 @@ bool is_weapon(const render::AliasPlacement& placement) {
 }  // namespace
 
 AliasPass::AliasPass(const Functions& gl, Program program, PlayerPalettes palettes, AliasLayer layer)
-    : program_(std::move(program)), palettes_(std::move(palettes)), layer_(std::move(layer)) {
+    : program_(std::move(program)),
+      index_(gl, program_),
+      palettes_(std::move(palettes)),
+      layer_(std::move(layer)) {
   const auto find = [&](const char* name) { return gl.GetUniformLocation(program_.name(), name); };
   uniforms_ = {find("to_view"),    find("pose_blend"), find("lights"),      find("projection"),
                find("full_range"), find("skins"),      find("palettes"),    find("skin"),
-               find("palette"),    find("tint"),       find("fog_density"), find("fog_color")};
+               find("palette"),    find("tint"),       find("fog_density"), find("fog_color"),
+               find("colormap"),   find("tints"),      find("tint_row")};
 }
 
-base::Result<AliasPass> AliasPass::make(const Functions& gl, const render::ColorTables& colors) {
-  TRY(Program program,
-      make_program(gl, (std::string(kProjectionPart) + kAliasVertexShader).c_str(), kAliasFragmentShader));
-  TRY(PlayerPalettes palettes, PlayerPalettes::make(gl, colors));
-  TRY(AliasLayer layer, AliasLayer::make(gl));
+base::Result<AliasPass> AliasPass::make(const Functions& gl, const render::ColorTables& colors,
+                                        render::PixelFormat format) {
+  TRY(Program program, make_program(gl, (std::string(kProjectionPart) + kAliasVertexShader).c_str(),
+                                    (look_part(find_look(format)) + kAliasFragmentShader).c_str()));
+  TRY(PlayerPalettes palettes, PlayerPalettes::make(gl, colors, format));
+  TRY(AliasLayer layer, AliasLayer::make(gl, format));
   return AliasPass(gl, std::move(program), std::move(palettes), std::move(layer));
 }
 
@@ -46,7 +51,7 @@ base::Status AliasPass::draw_opaque(const Functions& gl, const FrameInput& input
   begin_draw(gl, input);
   for (const render::AliasPlacement& placement : placements) {
     TRY(const CardModel* const model, models_.find(gl, *placement.instance->model));
-    draw(gl, input, placement, *model);
+    TRY_STATUS(draw(gl, input, placement, *model));
     ++instances_drawn_;
     triangles_drawn_ += model->triangle_count();
   }
@@ -60,7 +65,7 @@ void AliasPass::count(render::FrameStats& io_stats) const {
 }
 
 base::Status AliasPass::draw_translucent(const Functions& gl, const FrameInput& input,
-                                         const render::TranslucentLayer& layer, const Target& target) {
+                                         const render::TranslucentLayer& layer, Target& io_target) {
   using Kind = render::TranslucentLayer::Kind;
   if (layer.kind != Kind::kAlias && layer.kind != Kind::kViewWeapon) return base::Ok{};
   const bool is_weapon_layer = layer.kind == Kind::kViewWeapon;
@@ -75,14 +80,13 @@ base::Status AliasPass::draw_translucent(const Functions& gl, const FrameInput& 
     return base::Ok{};
   TRY(const CardModel* const model, models_.find(gl, *instance.model));
   TRY_STATUS(layer_.begin(
-      gl, target,
+      gl, io_target,
       {placement->first_column, placement->first_row, placement->column_end - placement->first_column,
        placement->row_end - placement->first_row}));
   begin_draw(gl, input);
-  draw(gl, input, *placement, *model);
+  TRY_STATUS(draw(gl, input, *placement, *model));
   end_draw(gl);
-  layer_.end(gl, target, static_cast<float>(render::opacity_256(instance.alpha)) / float{render::kOpaque256});
-  return base::Ok{};
+  return layer_.end(gl, input, instance.alpha, io_target);
 }
 
 // Sets what all instances share. If two triangles have equal depth, the later one shows, as on the CPU.
@@ -96,6 +100,8 @@ void AliasPass::begin_draw(const Functions& gl, const FrameInput& input) const {
   gl.Uniform1i(uniforms_.full_range, gl.ClipControl == nullptr);
   const math::Vec3& fog_color = input.scene().fog.color;
   gl.Uniform3f(uniforms_.fog_color, fog_color.z, fog_color.y, fog_color.x);
+  if (input.index_tables != nullptr) input.index_tables->use_fog(gl, index_);
+  gl.ActiveTexture(GL_TEXTURE0 + kSkinsUnit);
   gl.Enable(GL_CULL_FACE);
   gl.DepthFunc(GL_GEQUAL);
 }
@@ -107,16 +113,17 @@ void AliasPass::end_draw(const Functions& gl) const {
   gl.Disable(GL_CULL_FACE);
 }
 
-void AliasPass::draw(const Functions& gl, const FrameInput& input, const render::AliasPlacement& placement,
-                     const CardModel& model) const {
+base::Status AliasPass::draw(const Functions& gl, const FrameInput& input,
+                             const render::AliasPlacement& placement, const CardModel& model) const {
   const render::AliasInstance& instance = *placement.instance;
   set_vertex_uniforms(gl, input, placement);
-  set_light(gl, input, placement);
+  TRY_STATUS(set_light(gl, input, placement));
   gl.BindTexture(GL_TEXTURE_2D_ARRAY, model.skin_texture());
   const SkinPlace skin = model.skin_place(instance.skin);
   gl.Uniform4i(uniforms_.skin, skin.first_row, skin.layer, skin.width, skin.height);
   gl.Uniform1i(uniforms_.palette, PlayerPalettes::row(instance.colors));
   model.draw(gl, instance.from_pose, instance.to_pose);
+  return base::Ok{};
 }
 
 // The view weapon's depth is multiplied by a factor on the CPU, which also makes its fog thin.
@@ -136,13 +143,36 @@ void AliasPass::set_vertex_uniforms(const Functions& gl, const FrameInput& input
     gl.DepthRangef(0, kWorldDepthEnd);
 }
 
-void AliasPass::set_light(const Functions& gl, const FrameInput& input,
-                          const render::AliasPlacement& placement) const {
-  constexpr auto kFormat = render::PixelFormat::kRgb;
+base::Status AliasPass::set_light(const Functions& gl, const FrameInput& input,
+                                  const render::AliasPlacement& placement) const {
   const render::AliasLight light = render::choose_light(input.context, *placement.instance);
-  const render::NormalLights lights = render::light_normals(light, placement, kFormat);
+  const render::NormalLights lights = render::light_normals(light, placement, input.context.format);
   gl.Uniform4fv(uniforms_.lights, static_cast<GLsizei>(lights.size() / 4), lights.data());
   gl.Uniform3f(uniforms_.tint, light.color.z, light.color.y, light.color.x);
+  return input.index_tables != nullptr ? set_light_tables(gl, input, light) : base::Ok{};
+}
+
+// The palettes' plain row changes no index, as white light does.
+base::Status AliasPass::set_light_tables(const Functions& gl, const FrameInput& input,
+                                         const render::AliasLight& light) const {
+  constexpr int kLightRows = 64;
+  const render::ColorTables& colors = input.context.colors;
+  const bool is_white = light.tint_row == 0;
+  gl.ActiveTexture(GL_TEXTURE0 + kTintsUnit);
+  GLuint tints = palettes_.texture();
+  if (!is_white) {
+    TRY(tints, input.index_tables->find(gl, colors.tints.rows_for(light.tint_color), render::kTintRows));
+  }
+  gl.BindTexture(GL_TEXTURE_2D, tints);
+  gl.ActiveTexture(GL_TEXTURE0 + kColormapUnit);
+  TRY(const GLuint colormap, input.index_tables->find(gl, colors.colormap.rows.data(), kLightRows));
+  gl.BindTexture(GL_TEXTURE_2D, colormap);
+  gl.ActiveTexture(GL_TEXTURE0 + kSkinsUnit);
+  gl.Uniform1i(uniforms_.colormap, kColormapUnit);
+  gl.Uniform1i(uniforms_.tints, kTintsUnit);
+  gl.Uniform1i(uniforms_.tint_row,
+               is_white ? PlayerPalettes::row(std::nullopt) : static_cast<int>(light.tint_row));
+  return base::Ok{};
 }
 
 }  // namespace temblor::render_gl

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <span>
 
+#include "render/alias/light_alias.h"
 #include "render/alias/place_alias.h"
 #include "render/frame_stats.h"
 #include "render_gl/models/alias_layer.h"
@@ -19,15 +20,16 @@ namespace temblor::render_gl {
 
 class AliasPass {
  public:
-  static base::Result<AliasPass> make(const Functions& gl, const render::ColorTables& colors);
+  static base::Result<AliasPass> make(const Functions& gl, const render::ColorTables& colors,
+                                      render::PixelFormat format);
 
   // Draws the instances of the scene that are opaque, and the view weapon, after the opaque faces. Fails if
   // the card lacks memory for a model.
   base::Status draw_opaque(const Functions& gl, const FrameInput& input);
-  // Draws a layer of the translucent order; nothing, unless it is a model or the view weapon. `target` is the
-  // one that is drawn to. Fails like draw_opaque.
+  // Draws a layer of the translucent order; nothing, unless it is a model or the view weapon. `io_target`
+  // is the one that is drawn to. Fails like draw_opaque.
   base::Status draw_translucent(const Functions& gl, const FrameInput& input,
-                                const render::TranslucentLayer& layer, const Target& target);
+                                const render::TranslucentLayer& layer, Target& io_target);
 
   // Adds the counts of the last draw_opaque().
   void count(render::FrameStats& io_stats) const;
@@ -37,19 +39,24 @@ class AliasPass {
   struct Uniforms {
     GLint to_view, pose_blend, lights, projection, full_range;
     GLint skins, palettes, skin, palette, tint, fog_density, fog_color;
+    GLint colormap, tints, tint_row;  // of indexed frames
   };
 
   AliasPass(const Functions& gl, Program program, PlayerPalettes palettes, AliasLayer layer);
   void begin_draw(const Functions& gl, const FrameInput& input) const;
   void end_draw(const Functions& gl) const;
-  void draw(const Functions& gl, const FrameInput& input, const render::AliasPlacement& placement,
-            const CardModel& model) const;
+  base::Status draw(const Functions& gl, const FrameInput& input, const render::AliasPlacement& placement,
+                    const CardModel& model) const;
   void set_vertex_uniforms(const Functions& gl, const FrameInput& input,
                            const render::AliasPlacement& placement) const;
-  void set_light(const Functions& gl, const FrameInput& input, const render::AliasPlacement& placement) const;
+  base::Status set_light(const Functions& gl, const FrameInput& input,
+                         const render::AliasPlacement& placement) const;
+  base::Status set_light_tables(const Functions& gl, const FrameInput& input,
+                                const render::AliasLight& light) const;
 
   Program program_;
   Uniforms uniforms_;
+  IndexUniforms index_;
   PlayerPalettes palettes_;
   AliasLayer layer_;
   ModelCache models_;

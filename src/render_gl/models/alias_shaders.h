@@ -5,6 +5,8 @@
 // interpolated in perspective, but light is linear on the screen, as on the CPU: the value times w is
 // interpolated and then divided by w. Only triangles that reach behind the near plane, where that has no
 // bounds, interpolate light in perspective. The fragment's color is that of lit_color() in affine_triangle.h.
+// Indexed: by the colormap, then as colored light shows it; `palettes` has the player's colors. Fragment
+// shaders follow look_part().
 #pragma once
 
 namespace temblor::render_gl {
@@ -46,25 +48,40 @@ uniform int palette;   // row
 uniform vec3 tint;     // color of the light
 uniform float fog_density;
 uniform vec3 fog_color;
+#ifdef INDEXED
+uniform sampler2D colormap;  // rows of light
+uniform sampler2D tints;     // rows of colored light
+uniform int tint_row;
+#endif
 
 in vec2 skin_texel;
 in vec3 light;
 in float view_z;
 out vec4 color;
 
-const float kBrightestLight = 32640.0, kLightAsStored = 16384.0;
+const float kBrightestLight = 32640.0, kLightAsStored = 16384.0, kDarkestRow = 16383.0;
 
 void main() {
   ivec2 at = clamp(ivec2(floor(skin_texel)), ivec2(0), skin.zw - 1);
   uint index = texelFetch(skins, ivec3(at.x, at.y + skin.x, skin.y), 0).r;
   color = texelFetch(palettes, ivec2(int(index), palette), 0);
+  float steps = light.z > 0.0 ? light.x : light.y * gl_FragCoord.w;
+#ifdef INDEXED
+  int row = int(clamp(steps, 0.0, kDarkestRow)) >> 8;
+  color.r = texelFetch(colormap, ivec2(to_index(color.r), row), 0).r;
+  color.r = texelFetch(tints, ivec2(to_index(color.r), tint_row), 0).r;
+#else
   if (color.a > 0.5) {
-    float steps = light.z > 0.0 ? light.x : light.y * gl_FragCoord.w;
     color.rgb = min(color.rgb * tint * (clamp(steps, 0.0, kBrightestLight) / kLightAsStored), 1.0);
   }
+#endif
   if (fog_density > 0.0) {
     float thickness = fog_density * view_z / 64.0;
+#ifdef INDEXED
+    color.r = fog_index(color.r, 1.0 - exp(-thickness * thickness));
+#else
     color.rgb = mix(color.rgb, fog_color, 1.0 - exp(-thickness * thickness));
+#endif
   }
   color.a = 1.0;
 }
@@ -90,6 +107,9 @@ void main() {
   float depth = texelFetch(depths, at, 0).r;
   if (depth == 0.0) discard;  // no model
   color = vec4(texelFetch(colors, at, 0).rgb, opacity);
+#ifdef BLENDED
+  color.r = blend_index(color.r);
+#endif
   gl_FragDepth = depth;
 }
 )";

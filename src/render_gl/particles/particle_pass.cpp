@@ -6,7 +6,8 @@ namespace temblor::render_gl {
 
 namespace {
 
-// An instance is a ParticleRect. Its sides lie between pixels, so that rounding cannot move them.
+// An instance is a ParticleRect, whose color may be an index: then it is in the red channel. Its sides lie
+// between pixels, so that rounding cannot move them.
 constexpr const char* kVertexShader = R"(
 layout(location = 0) in float depth;
 layout(location = 1) in uvec4 rect;  // left, top, width, height
@@ -50,8 +51,8 @@ ParticlePass::ParticlePass(const Functions& gl, ScreenProgram program)
   gl.BindVertexArray(0);
 }
 
-base::Result<ParticlePass> ParticlePass::make(const Functions& gl) {
-  TRY(ScreenProgram program, ScreenProgram::make(gl, kVertexShader, kFragmentShader));
+base::Result<ParticlePass> ParticlePass::make(const Functions& gl, render::PixelFormat format) {
+  TRY(ScreenProgram program, ScreenProgram::make(gl, kVertexShader, kFragmentShader, find_look(format)));
   return ParticlePass(gl, std::move(program));
 }
 
@@ -65,7 +66,7 @@ base::Status ParticlePass::draw(const Functions& gl, const FrameInput& input) {
   gl.BindBuffer(GL_ARRAY_BUFFER, buffer_.name());
   gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(rects_.size() * sizeof(render::ParticleRect)),
                 rects_.data(), GL_STREAM_DRAW);
-  program_.use(gl, input.record.view, input.scene().fog);
+  program_.use(gl, input.record.view, input.scene().fog, input.index_tables);
   gl.BindVertexArray(vertex_array_.name());
   gl.DepthFunc(GL_GEQUAL);  // among particles of equal depth the later one stays
   gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(rects_.size()));

@@ -11,7 +11,7 @@ namespace temblor::render_gl {
 
 class ParticlePass {
  public:
-  static base::Result<ParticlePass> make(const Functions& gl);
+  static base::Result<ParticlePass> make(const Functions& gl, render::PixelFormat format);
 
   // Draws the scene's particles, with depth, over everything opaque. Fails if the card lacks memory.
   base::Status draw(const Functions& gl, const FrameInput& input);

@@ -70,7 +70,7 @@ base::Status FinishPass::load_sources(const Functions& gl, const Target& target,
 }
 
 base::Status FinishPass::draw(const Functions& gl, const render::Scene& scene, Target& io_target) {
-  const render::PictureTint tint(scene.tint, render::PixelFormat::kRgb, false);
+  const render::PictureTint tint(scene.tint, io_target.format(), false);
   if (!scene.underwater && !tint.changes_pixels()) return base::Ok{};
   TRY(const GLuint picture, io_target.exchange(gl));
   if (scene.underwater) TRY_STATUS(load_sources(gl, io_target, scene.time_s));

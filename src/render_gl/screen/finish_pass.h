@@ -14,7 +14,8 @@ class FinishPass {
  public:
   static base::Result<FinishPass> make(const Functions& gl);
 
-  // Warps and tints what was drawn into the target. Does nothing for a scene without either. Fails if the
+  // Warps and tints what was drawn into the target. Indexed frames are tinted when
+  // they are shown. Does nothing for a scene without either. Fails if the
   // card lacks memory.
   base::Status draw(const Functions& gl, const render::Scene& scene, Target& io_target);
 

@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "render/screen/draw_lines.h"
+#include "render/screen/painter.h"
 #include "render_gl/frame/target.h"
 
 namespace temblor::render_gl {
@@ -73,7 +74,7 @@ base::Result<LinePass> LinePass::make(const Functions& gl) {
 }
 
 // Half a pixel beyond the first and last pixel, and one pixel to either side.
-void LinePass::add_line(const render::Line& line, const render::ViewFrame& view) {
+void LinePass::add_line(const render::Line& line, const render::ViewFrame& view, std::uint32_t color) {
   const auto piece = render::project_line(line, view);
   if (!piece) return;
   const render::LineSteps steps = render::find_line_steps(*piece, view);
@@ -87,7 +88,7 @@ void LinePass::add_line(const render::Line& line, const render::ViewFrame& view)
                 .across_slope = static_cast<float>(steps.slope[steps.across]),
                 .depth = static_cast<float>(start.z),
                 .depth_slope = static_cast<float>(steps.slope.z),
-                .color = render::to_rgb(line.color)};
+                .color = color};
   const auto add = [&](double i, double aside) {
     math::Vec3d at = steps.at(i);
     at[steps.along] = i;
@@ -104,14 +105,21 @@ void LinePass::add_line(const render::Line& line, const render::ViewFrame& view)
   }
 }
 
-base::Status LinePass::draw(const Functions& gl, const render::Scene& scene, const render::ViewFrame& view) {
+base::Status LinePass::draw(const Functions& gl, const FrameInput& input) {
+  const render::FrameContext& context = input.context;
   corners_.clear();
-  for (const render::Line& line : scene.lines) add_line(line, view);
+  // A picture of one pixel, to find the color that the CPU paints.
+  render::FrameBuffer sample(1, 1, context.format);
+  render::Painter painter(context.colors.palette, sample);
+  for (const render::Line& line : context.scene.lines) {
+    painter.put(0, line.color);
+    add_line(line, input.record.view, context.is_indexed() ? sample.indexed()[0] : sample.rgb()[0]);
+  }
   if (corners_.empty()) return base::Ok{};
   gl.BindBuffer(GL_ARRAY_BUFFER, buffer_.name());
   gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(corners_.size() * sizeof(Corner)), corners_.data(),
                 GL_STREAM_DRAW);
-  program_.use(gl, view, scene.fog);
+  program_.use(gl, input.record.view, context.scene.fog, nullptr);
   gl.BindVertexArray(vertex_array_.name());
   gl.DepthFunc(GL_GEQUAL);
   gl.DepthRangef(0, 1);

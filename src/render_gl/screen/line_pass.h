@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "render_gl/frame/screen_space.h"
+#include "render_gl/world/frame_input.h"
 
 namespace temblor::render_gl {
 
@@ -14,7 +15,7 @@ class LinePass {
   static base::Result<LinePass> make(const Functions& gl);
 
   // Needs the depth of everything opaque for lines with a depth test. Fails if the card lacks memory.
-  base::Status draw(const Functions& gl, const render::Scene& scene, const render::ViewFrame& view);
+  base::Status draw(const Functions& gl, const FrameInput& input);
 
  private:
   // The layout is that of the shader.
@@ -22,11 +23,11 @@ class LinePass {
     float x, y;
     float first, is_steep, is_tested;
     float across, across_slope, depth, depth_slope;  // at pixel `first`, and their growth from pixel to pixel
-    std::uint32_t color;
+    std::uint32_t color;                             // 0xffRRGGBB, or an index
   };
 
   LinePass(const Functions& gl, ScreenProgram program);
-  void add_line(const render::Line& line, const render::ViewFrame& view);
+  void add_line(const render::Line& line, const render::ViewFrame& view, std::uint32_t color);
 
   ScreenProgram program_;
   VertexArray vertex_array_;

@@ -40,11 +40,17 @@ base::Result<PictureTextures::Found> PictureTextures::find(const Functions& gl,
   const int full_width = static_cast<int>(picture.width), full_height = static_cast<int>(picture.height);
   const int halvings = count_halvings(full_width, full_height, find_texture_limits(gl).side);
   const int width = halve(full_width, halvings), height = halve(full_height, halvings);
-  TRY(entry.texture, make_texture(gl, GL_RGBA8, {width, height}));
-  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
-  gl.TexSubImage2D(
-      GL_TEXTURE_2D, 0, 0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE,
-      halve_picture(color_texels(picture, colors).data(), full_width, full_height, halvings).data());
+  const bool is_indexed = format_ == render::PixelFormat::kIndexed;
+  TRY(entry.texture, make_texture(gl, is_indexed ? GL_R8 : GL_RGBA8, {width, height}));
+  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  const auto upload = [&](const auto* texels) {
+    gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height, is_indexed ? GL_RED : GL_RGBA, GL_UNSIGNED_BYTE,
+                     halve_picture(texels, full_width, full_height, halvings).data());
+  };
+  if (is_indexed)
+    upload(picture.texels.data());
+  else
+    upload(color_texels(picture, colors).data());
   entry.scale_s = static_cast<double>(width) / full_width;
   entry.scale_t = static_cast<double>(height) / full_height;
   texel_count_ += picture.texels.size();

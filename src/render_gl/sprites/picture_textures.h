@@ -11,12 +11,16 @@
 
 #include "formats/models/spr.h"
 #include "render/color/color_tables.h"
+#include "render/frame_buffer.h"
 #include "render_gl/gl/objects.h"
 
 namespace temblor::render_gl {
 
 class PictureTextures {
  public:
+  // For frames of this format.
+  explicit PictureTextures(render::PixelFormat format) : format_(format) {}
+
   // Drops all textures if they have become too large together. Textures live until the next call.
   void begin_frame();
   // Drops all textures.
@@ -28,7 +32,8 @@ class PictureTextures {
     GLuint texture;
     double scale_s, scale_t;
   };
-  // The texture of the picture: colors in the order of the CPU's pictures, and alpha 0 where it is clear.
+  // The texture of the picture: colors in the order of the CPU's pictures, and alpha 0 where it is clear;
+  // or indices, as they are.
   // Fails if the card lacks memory.
   base::Result<Found> find(const Functions& gl, const formats::SprPicture& picture,
                            const render::ColorTables& colors);
@@ -40,6 +45,7 @@ class PictureTextures {
     std::uint32_t width = 0, height = 0;
     std::vector<std::uint8_t> texels;
   };
+  render::PixelFormat format_;
   // By the address of the texels.
   std::unordered_map<const std::uint8_t*, Entry> entries_;
   std::size_t texel_count_ = 0;

@@ -20,13 +20,30 @@ void copy_plane(const render::ScreenPlane& plane, double x, double y, double sca
   out[2] = static_cast<float>(plane.dy * scale);
 }
 
+// Contains all pixels of the quad; nothing if none is in the picture.
+std::optional<PixelRect> find_sprite_rect(const render::SpriteQuad& quad, const render::ViewFrame& view) {
+  const auto corners = std::span(quad.outline.corners).first(quad.outline.count);
+  if (corners.empty()) return std::nullopt;
+  const auto [left, right] = std::ranges::minmax(corners, {}, &math::Vec2d::x);
+  const auto [top, bottom] = std::ranges::minmax(corners, {}, &math::Vec2d::y);
+  const auto bounded = [](double place, int size) {
+    return static_cast<int>(std::clamp(place, 0.0, static_cast<double>(size)));
+  };
+  const int x = bounded(left.x - 2, view.width), y = bounded(top.y - 2, view.height);
+  const PixelRect rect{x, y, bounded(right.x + 3, view.width) - x, bounded(bottom.y + 3, view.height) - y};
+  if (rect.width <= 0 || rect.height <= 0) return std::nullopt;
+  return rect;
+}
+
 }  // namespace
 
-SpritePass::SpritePass(const Functions& gl, ScreenProgram program)
+SpritePass::SpritePass(const Functions& gl, ScreenProgram program, ScreenProgram blended,
+                       render::PixelFormat format)
     : program_(std::move(program)),
-      picture_(gl.GetUniformLocation(program_.name(), "picture")),
+      blended_(std::move(blended)),
       vertex_array_(make_vertex_array(gl)),
-      buffer_(make_buffer(gl)) {
+      buffer_(make_buffer(gl)),
+      textures_(format) {
   gl.BindVertexArray(vertex_array_.name());
   gl.BindBuffer(GL_ARRAY_BUFFER, buffer_.name());
   struct Field {
@@ -47,9 +64,14 @@ SpritePass::SpritePass(const Functions& gl, ScreenProgram program)
   gl.BindVertexArray(0);
 }
 
-base::Result<SpritePass> SpritePass::make(const Functions& gl) {
-  TRY(ScreenProgram program, ScreenProgram::make(gl, kSpriteVertexShader, kSpriteFragmentShader));
-  return SpritePass(gl, std::move(program));
+base::Result<SpritePass> SpritePass::make(const Functions& gl, render::PixelFormat format) {
+  const bool is_indexed = format == render::PixelFormat::kIndexed;
+  TRY(ScreenProgram program,
+      ScreenProgram::make(gl, kSpriteVertexShader, kSpriteFragmentShader, find_look(format)));
+  TRY(ScreenProgram blended,
+      ScreenProgram::make(gl, kSpriteVertexShader, kSpriteFragmentShader,
+                          is_indexed ? ShaderLook::kBlendedIndices : ShaderLook::kColors));
+  return SpritePass(gl, std::move(program), std::move(blended), format);
 }
 
 base::Status SpritePass::prepare(const Functions& gl, const FrameInput& input) {
@@ -111,38 +133,49 @@ void SpritePass::add_corners(const render::SpriteQuad& quad, const PictureTextur
     }
 }
 
-// A sprite is drawn if it is as near as what is there. Elsewhere it must be nearer.
-void SpritePass::begin_draw(const Functions& gl, const FrameInput& input) const {
-  program_.use(gl, input.record.view, input.scene().fog);
-  gl.ActiveTexture(GL_TEXTURE0);
-  gl.Uniform1i(picture_, 0);
+// A sprite is drawn if it is as near as what is there. Elsewhere it must be nearer. Its picture is in unit 0,
+// where variables begin.
+void SpritePass::begin_draw(const Functions& gl, const FrameInput& input,
+                            const ScreenProgram& program) const {
+  program.use(gl, input.record.view, input.scene().fog, input.index_tables);
   gl.BindVertexArray(vertex_array_.name());
   gl.DepthFunc(GL_GEQUAL);
 }
 
 void SpritePass::draw_batch(const Functions& gl, const Batch& batch) const {
+  gl.ActiveTexture(GL_TEXTURE0);
   gl.BindTexture(GL_TEXTURE_2D, batch.texture);
   gl.DrawArrays(GL_TRIANGLES, static_cast<GLint>(batch.first), static_cast<GLsizei>(batch.count));
 }
 
 void SpritePass::draw_opaque(const Functions& gl, const FrameInput& input) const {
   if (opaque_.empty()) return;
-  begin_draw(gl, input);
+  begin_draw(gl, input, program_);
   for (const Batch& batch : opaque_) draw_batch(gl, batch);
   gl.DepthFunc(GL_GREATER);
   gl.BindVertexArray(0);
 }
 
-void SpritePass::draw_translucent(const Functions& gl, const FrameInput& input, std::uint32_t sprite) const {
-  begin_draw(gl, input);
-  gl.Enable(GL_BLEND);
-  gl.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+base::Status SpritePass::draw_translucent(const Functions& gl, const FrameInput& input, std::uint32_t sprite,
+                                          Target& io_target) const {
+  const render::SpriteQuad& quad = input.order.sprites[sprite];
+  const std::optional<PixelRect> rect = find_sprite_rect(quad, input.record.view);
+  if (!rect) return base::Ok{};
+  begin_draw(gl, input, blended_);
+  if (input.index_tables != nullptr) {
+    const IndexBlend blend{.table = input.context.colors.blends.table_for(quad.alpha)};
+    TRY_STATUS(input.index_tables->use_blend(gl, blended_.index_uniforms(), blend, *rect, io_target));
+  } else {
+    gl.Enable(GL_BLEND);
+    gl.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  }
   gl.DepthMask(GL_FALSE);
   draw_batch(gl, translucent_[sprite]);
   gl.DepthMask(GL_TRUE);
   gl.Disable(GL_BLEND);
   gl.DepthFunc(GL_GREATER);
   gl.BindVertexArray(0);
+  return base::Ok{};
 }
 
 }  // namespace temblor::render_gl

@@ -14,15 +14,16 @@ namespace temblor::render_gl {
 
 class SpritePass {
  public:
-  static base::Result<SpritePass> make(const Functions& gl);
+  static base::Result<SpritePass> make(const Functions& gl, render::PixelFormat format);
 
   // Brings the frame's pictures and corners to the graphics card. Fails if the card lacks memory.
   base::Status prepare(const Functions& gl, const FrameInput& input);
   // Draws the opaque sprites, with depth. prepare() comes first.
   void draw_opaque(const Functions& gl, const FrameInput& input) const;
   // Blends translucent sprite number `sprite` (TranslucentOrder::sprites) into the picture, tested against
-  // depth.
-  void draw_translucent(const Functions& gl, const FrameInput& input, std::uint32_t sprite) const;
+  // depth. `io_target` is the one that is drawn to. Fails if the card lacks memory.
+  base::Status draw_translucent(const Functions& gl, const FrameInput& input, std::uint32_t sprite,
+                                Target& io_target) const;
 
  private:
   // The layout is that of the shader.
@@ -37,16 +38,15 @@ class SpritePass {
     std::size_t first, count;
   };
 
-  SpritePass(const Functions& gl, ScreenProgram program);
+  SpritePass(const Functions& gl, ScreenProgram program, ScreenProgram blended, render::PixelFormat format);
   void add_corners(const render::SpriteQuad& quad, const PictureTextures::Found& found,
                    const render::ViewFrame& view);
   base::Result<Batch> add_sprite(const Functions& gl, const FrameInput& input,
                                  const render::SpriteQuad& quad);
-  void begin_draw(const Functions& gl, const FrameInput& input) const;
+  void begin_draw(const Functions& gl, const FrameInput& input, const ScreenProgram& program) const;
   void draw_batch(const Functions& gl, const Batch& batch) const;
 
-  ScreenProgram program_;
-  GLint picture_;
+  ScreenProgram program_, blended_;  // the second one for translucent sprites
   VertexArray vertex_array_;
   Buffer buffer_;
   PictureTextures textures_;

@@ -43,8 +43,15 @@ void main() {
   vec2 last = vec2(textureSize(picture, 0) - 1);
   vec2 texel = clamp(vec2(dot(plane_s, at), dot(plane_t, at)) * z, vec2(0), last);
   color = texelFetch(picture, ivec2(texel), 0);
+#ifdef INDEXED
+  if (color.r == 1.0) discard;
+#else
   if (color.a < 0.5) discard;
+#endif
   color = vec4(add_fog(color.rgb, depth), sprite_kind.x);
+#ifdef BLENDED
+  color.r = blend_index(color.r);
+#endif
   gl_FragDepth = find_card_depth(depth);
 }
 )";

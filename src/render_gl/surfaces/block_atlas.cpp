@@ -15,21 +15,26 @@ constexpr int kMaxLayerPower = 11, kMinLayerPower = 6;
 constexpr std::size_t kMinLayers = 2, kMaxLayers = 256;
 
 std::size_t texel_bytes(TexelFormat format) {
-  return format == TexelFormat::k16Bit ? 2 : 4;
-}
-
-struct GlFormat {
-  GLenum storage, channels, type;
-};
-GlFormat find_gl_format(TexelFormat format) {
   switch (format) {
+    case TexelFormat::k8Bit:
+      return 1;
     case TexelFormat::k16Bit:
-      return {GL_RGB565, GL_RGB, GL_UNSIGNED_SHORT_5_6_5};
-    case TexelFormat::kLight:
-      return {GL_RGB10_A2, GL_RGBA, GL_UNSIGNED_INT_2_10_10_10_REV};
+      return 2;
     case TexelFormat::k32Bit:
+    case TexelFormat::kLight:
       break;
   }
+  return 4;
+}
+
+// For each format of texels.
+struct CardFormat {
+  GLenum stored, channels, type;
+};
+CardFormat card_format(TexelFormat format) {
+  if (format == TexelFormat::k8Bit) return {GL_R8, GL_RED, GL_UNSIGNED_BYTE};
+  if (format == TexelFormat::k16Bit) return {GL_RGB565, GL_RGB, GL_UNSIGNED_SHORT_5_6_5};
+  if (format == TexelFormat::kLight) return {GL_RGB10_A2, GL_RGBA, GL_UNSIGNED_INT_2_10_10_10_REV};
   return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE};
 }
 
@@ -37,15 +42,19 @@ std::size_t layer_bytes(TexelFormat format, int power) {
   return (std::size_t{1} << 2 * power) * texel_bytes(format);
 }
 
-// Every 2^n-th texel of every 2^n-th row.
-void shrink_texels(const std::uint32_t* texels, render::SurfaceShape from, render::SurfaceShape to,
-                   std::vector<std::uint32_t>& out_texels) {
+// Every 2^n-th texel of every 2^n-th row: `source` itself if that is all.
+template <typename Texel>
+const Texel* shrink_texels(const void* source, render::SurfaceShape from, render::SurfaceShape to,
+                           std::vector<Texel>& out_texels) {
+  const auto* texels = static_cast<const Texel*>(source);
+  if (from.width == to.width && from.height == to.height) return texels;
   out_texels.resize(to.texels());
   const int step_x = from.width / to.width, step_y = from.height / to.height;
   auto out = out_texels.begin();
   for (int y = 0; y < to.height; ++y)
     for (int x = 0; x < to.width; ++x)
       *out++ = texels[std::ptrdiff_t{y} * step_y * from.width + std::ptrdiff_t{x} * step_x];
+  return out_texels.data();
 }
 
 // The nearest color that has 5, 6, and 5 bits: v * 31 / 255 and v * 63 / 255, rounded. No color becomes
@@ -79,7 +88,7 @@ base::Result<BlockAtlas> BlockAtlas::make(const Functions& gl, const CacheOption
       std::clamp(options.bytes / layer_bytes(options.format, power), kMinLayers, max_layers);
   const int side = 1 << power;
   TRY(Texture texture,
-      make_texture(gl, find_gl_format(options.format).storage, {side, side, static_cast<int>(layers)}));
+      make_texture(gl, card_format(options.format).stored, {side, side, static_cast<int>(layers)}));
   if (options.format == TexelFormat::kLight) {
     gl.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     gl.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
@@ -181,25 +190,22 @@ std::optional<StoredImage> BlockAtlas::place(const Functions& gl, const AtlasIma
   return cell.stored;
 }
 
+const void* BlockAtlas::convert(const AtlasImage& image, render::SurfaceShape stored) {
+  if (format_ == TexelFormat::k8Bit) return shrink_texels(image.texels, image.shape, stored, shrunk_bytes_);
+  const std::uint32_t* const texels = shrink_texels(image.texels, image.shape, stored, shrunk_);
+  if (format_ != TexelFormat::k16Bit) return texels;
+  packed_.resize(stored.texels());
+  std::ranges::transform(std::span(texels, stored.texels()), packed_.begin(), pack_texel);
+  return packed_.data();
+}
+
 void BlockAtlas::upload(const Functions& gl, const AtlasImage& image, const StoredImage& stored) {
-  const auto* texels = static_cast<const std::uint32_t*>(image.texels);
   const render::SurfaceShape shape = stored.shape;
-  if (shape.width != image.shape.width || shape.height != image.shape.height) {
-    shrink_texels(texels, image.shape, shape, shrunk_);
-    texels = shrunk_.data();
-  }
-  const void* source = texels;
-  const bool is_packed = format_ == TexelFormat::k16Bit;
-  if (is_packed) {
-    packed_.resize(shape.texels());
-    std::ranges::transform(std::span(texels, shape.texels()), packed_.begin(), pack_texel);
-    source = packed_.data();
-  }
+  const CardFormat card = card_format(format_);
   gl.BindTexture(GL_TEXTURE_2D_ARRAY, texture_.name());
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  const GlFormat format = find_gl_format(format_);
   gl.TexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, stored.place.x, stored.place.y, stored.place.layer, shape.width,
-                   shape.height, 1, format.channels, format.type, source);
+                   shape.height, 1, card.channels, card.type, convert(image, shape));
   ++counts_.uploads;
   counts_.bytes_uploaded += shape.texels() * texel_bytes(format_);
 }

@@ -26,7 +26,7 @@ namespace temblor::render_gl {
 // that no address can be (texture_key).
 using AtlasKey = std::uint64_t;
 
-// Texels to draw from, 0xAARRGGBB, row by row; those of light have the format's 32 bits.
+// Texels to draw from, 0xAARRGGBB or bytes, row by row; those of light have the format's 32 bits.
 struct AtlasImage {
   AtlasKey key;
   const void* texels;
@@ -81,6 +81,8 @@ class BlockAtlas {
   std::optional<RectAllocator::Rect> make_room(RectAllocator::Size size);
   void use(Cells::iterator cell);
   void upload(const Functions& gl, const AtlasImage& image, const StoredImage& stored);
+  // The texels as the card takes them.
+  const void* convert(const AtlasImage& image, render::SurfaceShape stored);
 
   Texture texture_;
   TexelFormat format_;
@@ -90,8 +92,9 @@ class BlockAtlas {
   Cells earlier_, of_portion_;
   std::unordered_map<AtlasKey, Cells::iterator> by_key_;
   std::uint64_t frame_ = 1, portion_ = 1;
-  std::vector<std::uint32_t> shrunk_;  // scratch of upload()
-  std::vector<std::uint16_t> packed_;  // the same
+  std::vector<std::uint32_t> shrunk_;       // scratch of upload()
+  std::vector<std::uint16_t> packed_;       // the same
+  std::vector<std::uint8_t> shrunk_bytes_;  // the same
   CacheCounts counts_;
 };
 

@@ -37,7 +37,7 @@ struct TileRecord {
   std::uint32_t flags = 0;         // layer | TileKind << 16 | kHas... | opacity (0 to 255) << 24
   std::uint32_t second_place = 0;  // kSky: the background's x / 8 | y / 8 << 8 | layer << 16
                                    // kLit: the texture's first texel, x | y << 16
-                                   // kHasColor: 0x00RRGGBB
+                                   // kHasColor: 0x00RRGGBB, or an index
   float origin_s = 0, origin_t = 0, scale_s = 1, scale_t = 1;
   bool operator==(const TileRecord&) const = default;
 };

@@ -50,9 +50,13 @@ void main() {
   color = vec4(texelFetch(atlas, ivec3(place.xy + at, layer), 0).rgb, 1.0);
 #ifdef FOG
   float thickness = fog_density / (64.0 * gl_FragCoord.w);
+#ifdef INDEXED
+  color.r = fog_index(color.r, 1.0 - exp(-thickness * thickness));
+#else
   // In 256ths, and halves are rounded up, as on the CPU.
   float share = floor((1.0 - exp(-thickness * thickness)) * 256.0 + 0.5) / 256.0;
   color.rgb = mix(color.rgb, fog_color, share) + 0.001 / 255.0;
+#endif
 #endif
 }
 )";

@@ -22,9 +22,9 @@ bool is_needed(FaceProgramKind kind, const DrawOptions& options) {
 }
 
 base::Result<Program> make_face_program(const Functions& gl, FaceProgramKind kind, bool has_fog,
-                                        const DrawOptions& options) {
+                                        const DrawOptions& options, ShaderLook look) {
   using enum FaceProgramKind;
-  std::string vertex = kProjectionPart, fragment = has_fog ? "#define FOG\n" : "";
+  std::string vertex = kProjectionPart, fragment = look_part(look) + (has_fog ? "#define FOG\n" : "");
   fragment += std::string("#define KIND ") + kKindNames[static_cast<std::size_t>(kind)] + "\n";
   fragment += "#define FILTER " + std::to_string(static_cast<int>(options.filter)) + "\n";
   if (options.sharp_texels) fragment += "#define SHARP\n";
@@ -39,7 +39,8 @@ base::Result<Program> make_face_program(const Functions& gl, FaceProgramKind kin
 
 }  // namespace
 
-FaceProgram::FaceProgram(const Functions& gl, Program linked) : program(std::move(linked)) {
+FaceProgram::FaceProgram(const Functions& gl, Program linked)
+    : program(std::move(linked)), index(gl, program) {
   const auto find = [&](const char* name) { return gl.GetUniformLocation(program.name(), name); };
   model_axes = find("model_axes");
   model_origin = find("model_origin");
@@ -60,16 +61,28 @@ FaceProgram::FaceProgram(const Functions& gl, Program linked) : program(std::mov
   fog_color = find("fog_color");
 }
 
-base::Result<FacePrograms> FacePrograms::make(const Functions& gl, const DrawOptions& options) {
-  FacePrograms made;
+base::Result<FacePrograms::Programs> FacePrograms::make_programs(const Functions& gl,
+                                                                 const DrawOptions& options,
+                                                                 ShaderLook look) {
+  Programs made;
   for (std::size_t number = 0; number < kFaceProgramKinds; ++number)
     for (const bool has_fog : {false, true}) {
       const auto kind = static_cast<FaceProgramKind>(number);
-      made.programs_.emplace_back();
+      made.emplace_back();
       if (!is_needed(kind, options)) continue;
-      TRY(Program program, make_face_program(gl, kind, has_fog, options));
-      made.programs_.back().emplace(gl, std::move(program));
+      TRY(Program program, make_face_program(gl, kind, has_fog, options, look));
+      made.back().emplace(gl, std::move(program));
     }
+  return made;
+}
+
+base::Result<FacePrograms> FacePrograms::make(const Functions& gl, const DrawOptions& options,
+                                              render::PixelFormat format) {
+  FacePrograms made;
+  TRY(made.programs_, make_programs(gl, options, find_look(format)));
+  if (format == render::PixelFormat::kIndexed) {
+    TRY(made.blended_, make_programs(gl, options, ShaderLook::kBlendedIndices));
+  }
   return made;
 }
 

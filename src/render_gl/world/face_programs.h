@@ -1,4 +1,5 @@
-// The programs that draw faces: one for each way in which a face gets its texels, without and with fog.
+// The programs that draw faces: one for each way in which a face gets its texels, without and with fog, and
+// for indexed frames once more for translucent faces.
 // Drivers in software (llvmpipe) run all branches of a shader for every pixel, so each program has only what
 // its faces need.
 #pragma once
@@ -10,7 +11,9 @@
 #include <vector>
 
 #include "render_gl/draw_options.h"
+#include "render_gl/frame/index_tables.h"
 #include "render_gl/gl/objects.h"
+#include "render_gl/gl/shader_look.h"
 
 namespace temblor::render_gl {
 
@@ -36,20 +39,29 @@ struct FaceProgram {
   GLint model_axes, model_origin, first_record, eye, view_axes, projection, full_range;
   GLint records, atlas, textures, light_grids, has_color_key, skybox, liquid_phase, sky_scroll, fog_density,
       fog_color;
+  IndexUniforms index;
 };
 
 class FacePrograms {
  public:
   // Those that the options need. Fails as make_program() does.
-  static base::Result<FacePrograms> make(const Functions& gl, const DrawOptions& options);
+  static base::Result<FacePrograms> make(const Functions& gl, const DrawOptions& options,
+                                         render::PixelFormat format);
 
-  const FaceProgram& get(FaceProgramKind kind, bool has_fog) const {
-    return *programs_[static_cast<std::size_t>(kind) * 2 + has_fog];
+  // `is_translucent`: never kOneBlock and kOneLit.
+  const FaceProgram& get(FaceProgramKind kind, bool has_fog, bool is_translucent) const {
+    const Programs& programs = is_translucent && !blended_.empty() ? blended_ : programs_;
+    return *programs[static_cast<std::size_t>(kind) * 2 + has_fog];
   }
 
  private:
   FacePrograms() = default;
-  std::vector<std::optional<FaceProgram>> programs_;  // by kind, without and with fog
+  using Programs = std::vector<std::optional<FaceProgram>>;  // by kind, without and with fog
+  static base::Result<Programs> make_programs(const Functions& gl, const DrawOptions& options,
+                                              ShaderLook look);
+
+  Programs programs_;
+  Programs blended_;  // for translucent faces of indexed frames
 };
 
 }  // namespace temblor::render_gl

@@ -5,6 +5,7 @@
 #include "render/spans/span_sources.h"
 #include "render/translucent/translucent_layers.h"
 #include "render_gl/draw_options.h"
+#include "render_gl/frame/index_tables.h"
 
 namespace temblor::render_gl {
 
@@ -16,6 +17,7 @@ struct FrameInput {
   const render::TranslucentOrder& order;
   const render::LevelData& level_data;
   const DrawOptions& options;
+  IndexTables* index_tables;  // null for rgb frames
 
   const render::Scene& scene() const { return context.scene; }
 };

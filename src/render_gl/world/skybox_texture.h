@@ -11,8 +11,8 @@ namespace temblor::render_gl {
 
 class SkyboxTexture {
  public:
-  // Uploads the skybox of the frame unless it is the one that is there, smaller if the card's textures are
-  // smaller. Does nothing without a skybox. Fails if the card lacks memory.
+  // All frames have one format. Uploads the skybox of the frame unless it is the one that is there, smaller
+  // if the card's textures are smaller. Does nothing without a skybox. Fails if the card lacks memory.
   base::Status update(const Functions& gl, const render::SpanSources& sources);
 
   // Texels (size + 2) squared, in the order of SkyboxSpans. 0 before the first skybox.

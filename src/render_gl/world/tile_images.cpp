@@ -88,14 +88,16 @@ AtlasKey block_key(const render::SurfaceBlock& block) {
   return reinterpret_cast<std::uintptr_t>(block.texels);
 }
 
-void set_opacity(const render::FaceOpacity& opacity, TileRecord& io_record) {
+void set_opacity(const render::FrameContext& context, const render::FaceOpacity& opacity,
+                 TileRecord& io_record) {
   const auto alpha = static_cast<std::uint32_t>(std::lround(opacity.opacity * 255.0f));
   io_record.flags = (io_record.flags & 0x00ffffffu) | alpha << 24;
   if (opacity.has_holes) io_record.flags |= kHasHoles;
   if (opacity.is_additive) io_record.flags |= kHasNoFog;
   if (opacity.color) {
     io_record.flags |= kHasColor;
-    io_record.second_place = render::to_rgb(*opacity.color) & 0xffffffu;
+    io_record.second_place = context.is_indexed() ? context.colors.match(*opacity.color, true)
+                                                  : render::to_rgb(*opacity.color) & 0xffffffu;
   }
 }
 

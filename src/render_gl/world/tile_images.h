@@ -19,6 +19,7 @@ std::optional<TileRecord> place_tile(const Functions& gl, const FrameInput& inpu
                                      BlockAtlas& io_atlas);
 
 // Makes a record that of a face with this opacity.
-void set_opacity(const render::FaceOpacity& opacity, TileRecord& io_record);
+void set_opacity(const render::FrameContext& context, const render::FaceOpacity& opacity,
+                 TileRecord& io_record);
 
 }  // namespace temblor::render_gl

@@ -7,6 +7,7 @@
 
 #include "base/check.h"
 #include "render/color/warped_rows.h"
+#include "render_gl/world/face_blend.h"
 #include "render_gl/world/tile_images.h"
 
 namespace temblor::render_gl {
@@ -25,8 +26,12 @@ std::array<float, 9> columns(const math::Vec3d& x, const math::Vec3d& y, const m
 WorldPass::WorldPass(const Functions& gl, FacePrograms programs, BlockAtlas atlas)
     : programs_(std::move(programs)), atlas_(std::move(atlas)), index_buffer_(make_buffer(gl)) {}
 
-base::Result<WorldPass> WorldPass::make(const Functions& gl, const CacheOptions& cache) {
-  TRY(FacePrograms programs, FacePrograms::make(gl, {}));
+base::Result<WorldPass> WorldPass::make(const Functions& gl, const CacheOptions& asked,
+                                        render::PixelFormat format) {
+  CacheOptions cache = asked;
+  if (format == render::PixelFormat::kIndexed)
+    cache = {.bytes = asked.bytes / sizeof(std::uint32_t), .format = TexelFormat::k8Bit};
+  TRY(FacePrograms programs, FacePrograms::make(gl, {}, format));
   TRY(BlockAtlas atlas, BlockAtlas::make(gl, cache));
   return WorldPass(gl, std::move(programs), std::move(atlas));
 }
@@ -42,9 +47,10 @@ CacheCounts WorldPass::counts() const {
   return counts;
 }
 
-base::Status WorldPass::set_options(const Functions& gl, const DrawOptions& options) {
+base::Status WorldPass::set_options(const Functions& gl, const DrawOptions& options,
+                                    render::PixelFormat format) {
   if (options == options_) return base::Ok{};
-  TRY(programs_, FacePrograms::make(gl, options));
+  TRY(programs_, FacePrograms::make(gl, options, format));
   if (options.method != WorldMethod::kLitTextures) {
     lit_.reset();
   } else if (!lit_) {
@@ -57,7 +63,7 @@ base::Status WorldPass::set_options(const Functions& gl, const DrawOptions& opti
 
 base::Status WorldPass::take_lit_tiles(const Functions& gl, const render::FrameContext& context,
                                        const DrawOptions& options, render::SurfaceRequests& io_requests) {
-  TRY_STATUS(set_options(gl, options));
+  TRY_STATUS(set_options(gl, options, context.format));
   if (!lit_) return base::Ok{};
   const world::Level& level = context.level();
   if (lit_level_ != level.identity) {
@@ -149,15 +155,15 @@ bool WorldPass::place_face(const Functions& gl, const FrameInput& input, const Q
         portion_.next_tile = tile;
       else
         record = *placed;
-      if (placed && face.opacity != nullptr) set_opacity(*face.opacity, record);
+      if (placed && face.opacity != nullptr) set_opacity(input.context, *face.opacity, record);
     }
     if (face.fragments > 0) table_.set(first + tile, record);
   }
   return !is_full;
 }
 
-const FaceProgram& WorldPass::begin_draw(const Functions& gl, const FrameInput& input,
-                                         const QueuedFace& face) const {
+const FaceProgram& WorldPass::begin_draw(const Functions& gl, const FrameInput& input, const QueuedFace& face,
+                                         bool is_translucent) const {
   using enum FaceProgramKind;
   FaceProgramKind kind = face.program;
   const render::ViewFrame& view = input.record.view;
@@ -166,7 +172,7 @@ const FaceProgram& WorldPass::begin_draw(const Functions& gl, const FrameInput& 
   // The programs of one tile take the distance of fog from 1/w, which parallel projection lacks.
   if (has_fog && !view.perspective && kind == kOneBlock) kind = kBlocks;
   if (has_fog && !view.perspective && kind == kOneLit) kind = kLit;
-  const FaceProgram& shader = programs_.get(kind, has_fog);
+  const FaceProgram& shader = programs_.get(kind, has_fog, is_translucent);
   gl.UseProgram(shader.program.name());
   gl.ActiveTexture(GL_TEXTURE0 + kRecordsUnit);
   gl.BindTexture(GL_TEXTURE_2D, table_.texture());
@@ -204,6 +210,7 @@ const FaceProgram& WorldPass::begin_draw(const Functions& gl, const FrameInput& 
   gl.Uniform1f(shader.fog_density, fog.density);
   gl.Uniform3f(shader.fog_color, static_cast<float>(fog_color.b) / 255, static_cast<float>(fog_color.g) / 255,
                static_cast<float>(fog_color.r) / 255);
+  if (input.index_tables != nullptr) input.index_tables->use_fog(gl, shader.index);
   gl.BindVertexArray(mesh_.vertex_array());
   return shader;
 }
@@ -236,7 +243,7 @@ void WorldPass::draw_opaque_portion(const Functions& gl, const FrameInput& input
   for (std::size_t begin = portion_.begin, i = begin; begin < end; begin = i) {
     const QueuedFace& first = faces[begin];
     while (i < end && faces[i].instance == first.instance && has_same_textures(faces[i], first)) ++i;
-    if (before == nullptr || !has_same_textures(*before, first)) bound = &begin_draw(gl, input, first);
+    if (before == nullptr || !has_same_textures(*before, first)) bound = &begin_draw(gl, input, first, false);
     before = &first;
     draw_faces(gl, input, *bound, faces.subspan(begin, i - begin));
   }
@@ -251,26 +258,37 @@ void WorldPass::draw_opaque(const Functions& gl, const FrameInput& input) {
   }
 }
 
-void WorldPass::draw_translucent_portion(const Functions& gl, const FrameInput& input,
-                                         std::size_t number) const {
+base::Status WorldPass::draw_translucent_portion(const Functions& gl, const FrameInput& input,
+                                                 std::size_t number, Target& io_target) const {
   const QueuedFace& face = faces_.faces()[number];
-  const FaceProgram& program = begin_draw(gl, input, face);
-  gl.Enable(GL_BLEND);
-  gl.BlendFunc(GL_SRC_ALPHA, face.opacity->is_additive ? GL_ONE : GL_ONE_MINUS_SRC_ALPHA);
+  const std::optional<PixelRect> rect =
+      input.index_tables != nullptr ? find_face_rect(input, face) : std::nullopt;
+  if (face.index_count == 0 || (input.index_tables != nullptr && !rect)) return base::Ok{};
+  const FaceProgram& program = begin_draw(gl, input, face, true);
+  if (input.index_tables != nullptr) {
+    const IndexBlend blend = choose_blend(input.context.colors, *face.opacity);
+    TRY_STATUS(input.index_tables->use_blend(gl, program.index, blend, *rect, io_target));
+  } else {
+    gl.Enable(GL_BLEND);
+    gl.BlendFunc(GL_SRC_ALPHA, face.opacity->is_additive ? GL_ONE : GL_ONE_MINUS_SRC_ALPHA);
+  }
   gl.DepthMask(GL_FALSE);
   draw_faces(gl, input, program, {&face, 1});
   gl.DepthMask(GL_TRUE);
   gl.Disable(GL_BLEND);
   gl.BindVertexArray(0);
+  return base::Ok{};
 }
 
-void WorldPass::draw_translucent(const Functions& gl, const FrameInput& input, std::uint32_t face) {
+base::Status WorldPass::draw_translucent(const Functions& gl, const FrameInput& input, std::uint32_t face,
+                                         Target& io_target) {
   const std::size_t number = faces_.first_translucent() + face;
-  if (portion_.contains(number)) draw_translucent_portion(gl, input, number);
+  if (portion_.contains(number)) TRY_STATUS(draw_translucent_portion(gl, input, number, io_target));
   while (!portion_.has_all_before(number + 1)) {
     begin_portion(gl, input);
-    if (portion_.contains(number)) draw_translucent_portion(gl, input, number);
+    if (portion_.contains(number)) TRY_STATUS(draw_translucent_portion(gl, input, number, io_target));
   }
+  return base::Ok{};
 }
 
 }  // namespace temblor::render_gl

@@ -26,8 +26,9 @@ namespace temblor::render_gl {
 
 class WorldPass {
  public:
-  // Frames are rgb.
-  static base::Result<WorldPass> make(const Functions& gl, const CacheOptions& cache);
+  // For frames of this format. The cache of indexed ones is a quarter as large.
+  static base::Result<WorldPass> make(const Functions& gl, const CacheOptions& cache,
+                                      render::PixelFormat format);
 
   // Prepares for the level, and takes the tiles that need no surface block out of the frame's requests, which
   // must live as long as the frame. Comes first in each frame. Fails if the card lacks the memory, or does
@@ -40,8 +41,10 @@ class WorldPass {
   // Draws opaque faces, and those with holes, with depth. prepare() comes first.
   void draw_opaque(const Functions& gl, const FrameInput& input);
   // Blends translucent face number `face` (DeferredFaces::translucent) into the picture, tested against
-  // depth. Numbers must rise from call to call.
-  void draw_translucent(const Functions& gl, const FrameInput& input, std::uint32_t face);
+  // depth. Numbers must rise from call to call. `io_target` is the one that is drawn to. Fails if the card
+  // lacks memory.
+  base::Status draw_translucent(const Functions& gl, const FrameInput& input, std::uint32_t face,
+                                Target& io_target);
 
   // Counts of the last frame: blocks, textures that repeat, and grids of light.
   CacheCounts counts() const;
@@ -61,17 +64,19 @@ class WorldPass {
 
   WorldPass(const Functions& gl, FacePrograms programs, BlockAtlas atlas);
   base::Status set_level(const Functions& gl, const FrameInput& input);
-  base::Status set_options(const Functions& gl, const DrawOptions& options);
+  base::Status set_options(const Functions& gl, const DrawOptions& options, render::PixelFormat format);
   // Null: the options need no lit tiles.
   LitTiles* lit() { return lit_ ? &*lit_ : nullptr; }
   base::Status number_instances(const Functions& gl, const FrameInput& input);
   void begin_portion(const Functions& gl, const FrameInput& input);
   bool place_face(const Functions& gl, const FrameInput& input, const QueuedFace& face);
-  const FaceProgram& begin_draw(const Functions& gl, const FrameInput& input, const QueuedFace& face) const;
+  const FaceProgram& begin_draw(const Functions& gl, const FrameInput& input, const QueuedFace& face,
+                                bool is_translucent) const;
   void draw_faces(const Functions& gl, const FrameInput& input, const FaceProgram& program,
                   std::span<const QueuedFace> faces) const;
   void draw_opaque_portion(const Functions& gl, const FrameInput& input) const;
-  void draw_translucent_portion(const Functions& gl, const FrameInput& input, std::size_t number) const;
+  base::Status draw_translucent_portion(const Functions& gl, const FrameInput& input, std::size_t number,
+                                        Target& io_target) const;
 
   FacePrograms programs_;
   DrawOptions options_;  // of the programs

@@ -35,7 +35,7 @@ void main() {
 )";
 
 // KIND is defined as one of the kinds below, and FOG if there is fog. FILTER and SHARP: lit_shaders.h;
-// textures without light and blocks are blended between four texels if FILTER is not 0.
+// textures without light and blocks are blended between four texels if FILTER is not 0. Follows look_part().
 inline constexpr const char* kWorldFragmentShader = R"(
 uniform usampler2D records;
 uniform sampler2DArray atlas;
@@ -60,6 +60,9 @@ ivec2 unpack(uint two) { return ivec2(two & 0xffffu, two >> 16); }
 
 vec4 atlas_texel(ivec2 at, int layer) {
   vec4 texel = texelFetch(atlas, ivec3(at, layer), 0);
+#ifdef INDEXED
+  return vec4(texel.r, 0, 0, texel.r < 1.0);
+#endif
   return has_color_key && texel.rgb == vec3(1, 0, 1) ? vec4(0) : texel;
 }
 
@@ -118,6 +121,10 @@ vec4 sky_texel(uvec4 image, ivec2 size, int layer) {
   vec3 direction = vec3(ray.xy, 3.0 * ray.z);
   vec2 at = direction.xy * (378.0 * scale / length(direction));
   vec4 clouds = repeated_texel(at + sky_scroll.x * scale, unpack(image.x), size, layer);
+#ifdef INDEXED
+  clouds.a = clouds.r;
+  if (clouds.a > 0.0) return clouds;
+#endif
   if (clouds.a > 0.5) return clouds;
   ivec2 back = ivec2(image.w & 0xffu, image.w >> 8 & 0xffu) * 8;
   return repeated_texel(at + sky_scroll.y * scale, back, size, int(image.w >> 16));
@@ -140,6 +147,9 @@ vec4 skybox_texel(int size) {
   }
   float radius = 0.5 * float(size);
   vec2 place = at.xy / largest * radius + (radius + 0.5);
+#ifdef INDEXED
+  return texelFetch(skybox, ivec3(place + 0.5, at.z), 0);
+#endif
   ivec3 first = ivec3(place, at.z);
   vec2 share = floor(fract(place) * 256.0) / 256.0;
   vec4 above = mix(texelFetch(skybox, first, 0), texelFetch(skybox, first + ivec3(1, 0, 0), 0), share.x);
@@ -181,10 +191,17 @@ void main() {
 #ifdef FOG
   if ((image.z >> 22 & 1u) == 0u) {
     float thickness = fog_density / 64.0 * max(view_distance, 0.0);
+#ifdef INDEXED
+    color.r = fog_index(color.r, kind >= kSky ? 0.5 : 1.0 - exp(-thickness * thickness));
+#else
     // In 256ths, and halves are rounded up, as on the CPU.
     float share = kind >= kSky ? 0.5 : floor((1.0 - exp(-thickness * thickness)) * 256.0 + 0.5) / 256.0;
     color.rgb = mix(color.rgb, fog_color, share) + 0.001 / 255.0;
+#endif
   }
+#endif
+#ifdef BLENDED
+  color.r = blend_index(color.r);
 #endif
   color.a = float(image.z >> 24) / 255.0;
 }
