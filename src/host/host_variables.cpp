@@ -232,9 +232,8 @@ ScreenSettings HostVariables::screen() const {
     return static_cast<float>(variables_->float_value(index));
   };
   return {
-      .format = uses_gl() || variables_->choice_value(registered_->color) == 0
-                    ? render::PixelFormat::kRgb
-                    : render::PixelFormat::kIndexed,
+      .format = variables_->choice_value(registered_->color) == 0 ? render::PixelFormat::kRgb
+                                                                  : render::PixelFormat::kIndexed,
       .scale = number(registered_->scale),
       .automatic_scale = variables_->bool_value(registered_->automatic_scale),
       .target_s = 1 / variables_->float_value(registered_->target_fps),

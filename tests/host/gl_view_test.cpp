@@ -48,6 +48,26 @@ TEST(GlView, ShowsTheCpusPictureInAGame) {
   }
 }
 
+TEST(GlView, ShowsTheCpusPictureIn256Colors) {
+  SKIP_WITHOUT_QUAKEC();
+  SKIP_WITHOUT_OPENGL();
+  HeadlessHost game({"viewsize 120; con_notifylines 0", "map small"}, {640, 400});
+  game.set_open_gl(platform::egl::make_offscreen_context);
+  start_still_game(game);
+  const auto show = [&](const char* name, const char* color) {
+    game.command(std::string("vid_renderer ") + name + "; vid_color " + color);
+    game.run(0.01, 0.01);
+    EXPECT_EQ(renderer(game), name);
+    return game.window().shown();
+  };
+  const std::vector<std::uint32_t> indexed = show("cpu", "indexed"), rgb = show("cpu", "rgb");
+  EXPECT_LT(equal_share(indexed, rgb, 2), 0.9);
+  for (int round = 0; round < 2; ++round) {
+    EXPECT_GE(equal_share(show("gl", "indexed"), indexed, 0), 0.99);
+    EXPECT_GE(equal_share(show("gl", "rgb"), rgb, 2), 0.99);
+  }
+}
+
 TEST(GlView, DrawsInWindowsOfAllSizes) {
   SKIP_WITHOUT_QUAKEC();
   SKIP_WITHOUT_OPENGL();

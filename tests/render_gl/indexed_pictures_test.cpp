@@ -151,6 +151,24 @@ TEST(GlIndexed, ShowsModels) {
       [](int, render::Scene& io_scene) { io_scene.liquid_alpha = kClearLiquids; });
 }
 
+TEST(GlIndexed, ShowsModelsOfStockLevels) {
+  DATA_FOLDER_OR_SKIP(data);
+  std::vector<ModelPtr> stock;
+  for (const char* name : {"soldier", "ogre", "demon", "zombie", "player", "armor", "flame", "g_rock2"})
+    stock.push_back(load_model(data / "id1" / "progs" / (std::string(name) + ".mdl")));
+  compare_indexed(
+      test::stock_level(data, "lq_e1m2"), test::effort(20, 2),
+      [&](int, IndexedView& io_view, test::Random& io_random) {
+        io_view.models.models = stock;
+        for (int i = 0; i < 10; ++i) {
+          io_view.models.instances.push_back(
+              random_instance(io_view.models, io_random.log_uniform(80, 600), io_random));
+          if (io_random.chance(0.2)) io_view.models.instances.back().alpha = 0.5f;
+        }
+      },
+      kUnchangedScene);
+}
+
 TEST(GlIndexed, ShowsSpritesAndParticles) {
   compare_indexed(
       test::small_level(), test::effort(20, 3),
