@@ -61,7 +61,7 @@ struct GlRenderer::State {
   const CacheOptions cache;
   std::optional<Passes> passes;  // always there; those of the last frame's format
 
-  WorldMethod method = WorldMethod::kLitTextures;
+  WorldMethod method = WorldMethod::kBlocks;
 
   base::Result<render::FrameRecord> build_surfaces(const render::FrameContext& context,
                                                    const render::FrameBuffer& frame);

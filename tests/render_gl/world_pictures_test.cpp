@@ -26,10 +26,12 @@ test::Viewpoint any_viewpoint(const world::Level& level, test::Random& io_random
   return viewpoint;
 }
 
-// Compares views of random scenes; `change` may change a scene.
+// Compares views of random scenes by one method; `change` may change a scene.
 template <typename Change>
-void compare_views(const test::DrawableLevel& drawable, int views, Change change) {
+void compare_views_of_method(const test::DrawableLevel& drawable, WorldMethod method, int views,
+                             Change change) {
   RENDERER_PAIR_OR_SKIP(pair, drawable);
+  pair.gl().set_method(method);
   double total = 0, worst = 1;
   for (int number = 0; number < views; ++number) {
     test::Random random(static_cast<std::uint64_t>(number));
@@ -46,6 +48,12 @@ void compare_views(const test::DrawableLevel& drawable, int views, Change change
   EXPECT_GE(total / views, test::kQuick ? kWorstShare : kEqualShare);
   std::cout << "[          ] " << drawable.name << ": equal " << total / views << ", worst view " << worst
             << "\n";
+}
+
+template <typename Change>
+void compare_views(const test::DrawableLevel& drawable, int views, Change change) {
+  for (const WorldMethod method : {WorldMethod::kBlocks, WorldMethod::kLitTextures})
+    compare_views_of_method(drawable, method, views, change);
 }
 
 constexpr auto kNothing = [](int, render::Scene&, render::Settings&) {};
@@ -73,6 +81,7 @@ TEST(GlWorld, ShowsTranslucentLiquidsAndBrushModels) {
   const test::DrawableLevel level = test::small_level(options);
   RENDERER_PAIR_OR_SKIP(pair, level);
   for (int number = 0; number < test::effort(20, 2); ++number) {
+    pair.gl().set_method(number % 2 == 0 ? WorldMethod::kBlocks : WorldMethod::kLitTextures);
     test::Random random(static_cast<std::uint64_t>(number));
     test::Viewpoint viewpoint = any_viewpoint(*level.level, random);
     for (render::BrushModelInstance& model : viewpoint.brush_models)
@@ -110,6 +119,23 @@ TEST(GlWorld, ShowsParallelProjection) {
                   io_scene.camera.projection = render::Projection::kOrthographic;
                   io_scene.camera.units_per_pixel = number % 2 == 0 ? 0.5f : 2.0f;
                 });
+}
+
+// A brush model in the plane of a wall covers it, as on the CPU.
+TEST(GlWorld, ShowsBrushModelsInThePlaneOfTheWorld) {
+  const test::DrawableLevel level = test::small_level();
+  RENDERER_PAIR_OR_SKIP(pair, level);
+  // The world once more, as a brush model in one color.
+  for (int number = 0; number < test::effort(10, 2); ++number) {
+    test::Random random(static_cast<std::uint64_t>(number));
+    test::Viewpoint viewpoint{.camera = test::random_camera(*level.level, random)};
+    render::Scene scene = viewpoint.scene(*level.level);
+    const std::array<render::BrushModelInstance, 1> twin = {
+        render::BrushModelInstance{.model = world::ModelIndex{0}, .color = formats::Rgb{200, 30, 30}}};
+    scene.brush_models = twin;
+    // Measured 0.976 or more; without an offset of depth, 0.06 or less.
+    EXPECT_GE(pair.compare(scene, {}), 0.97) << "view " << number;
+  }
 }
 
 // Nothing that was drawn before may change a picture: levels and sizes alternate.

@@ -13,6 +13,17 @@ bool is_same_face(const render::ScreenSurface& a, const render::ScreenSurface& b
   return a.face == b.face && a.instance == b.instance;
 }
 
+// The draw of a lit tile of the surface's face, of this fragment or of those that follow.
+std::optional<std::uint32_t> find_lit_draw(const FrameInput& input, const LitTiles& lit, std::size_t number) {
+  const std::span<const render::ScreenSurface> surfaces = input.record.edges.surfaces;
+  for (std::size_t i = number; i < surfaces.size() && is_same_face(surfaces[i], surfaces[number]); ++i) {
+    const std::uint32_t first = surfaces[i].first_draw;
+    for (std::uint32_t tile = 0; tile < std::uint32_t{surfaces[i].tiles.s} * surfaces[i].tiles.t; ++tile)
+      if (lit.contains(first + tile)) return first + tile;
+  }
+  return std::nullopt;
+}
+
 bool is_seen(const FrameInput& input, const QueuedFace& face) {
   for (std::uint32_t tile = 0; tile < face.tiles; ++tile)
     if (find_seen_draw(input, face, tile)) return true;
@@ -38,9 +49,8 @@ FaceQueue::Choice FaceQueue::choose(const FrameInput& input, const LitTiles* lit
   const world::Face& face = input.context.level().face(surface.face);
   const std::uint32_t tiles = std::uint32_t{surface.tiles.s} * surface.tiles.t;
   if (render::has_surface(face)) {
-    for (std::uint32_t tile = 0; lit != nullptr && tile < tiles; ++tile)
-      if (const std::uint32_t draw = surface.first_draw + tile; lit->contains(draw))
-        return {tiles == 1 ? kOneLit : kLit, lit->array(draw), number};
+    if (const auto draw = lit == nullptr ? std::nullopt : find_lit_draw(input, *lit, number))
+      return {tiles == 1 ? kOneLit : kLit, lit->array(*draw), number};
     const bool is_blended = input.options.filter != render::TextureFilter::kNearest;
     return {tiles == 1 && !is_blended ? kOneBlock : kBlocks, 0, number};
   }

@@ -15,6 +15,8 @@ namespace temblor::render_gl {
 namespace {
 
 constexpr GLenum kRecordsUnit = 0, kAtlasUnit = 1, kSkyboxUnit = 2, kTexturesUnit = 3, kLightUnit = 4;
+// In units of the last place of depth.
+constexpr float kBrushModelOffset = 64;
 
 std::array<float, 9> columns(const math::Vec3d& x, const math::Vec3d& y, const math::Vec3d& z) {
   const math::Vec3 a(x), b(y), c(z);
@@ -226,9 +228,14 @@ void WorldPass::draw_faces(const Functions& gl, const FrameInput& input, const F
   gl.UniformMatrix3fv(program.model_axes, 1, GL_FALSE, axes.data());
   gl.Uniform3f(program.model_origin, origin.x, origin.y, origin.z);
   gl.Uniform1ui(program.first_record, record_offset_[instance]);
+  // Doors may lie in the plane of a wall, which they cover on the CPU. Their depth differs by rounding only.
+  const bool is_brush_model = instance > 0;
+  if (is_brush_model) gl.Enable(GL_POLYGON_OFFSET_FILL);
+  gl.PolygonOffset(0, kBrushModelOffset);
   const std::uint32_t end_index = faces.back().first_index + faces.back().index_count;
   gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(end_index - first_index), GL_UNSIGNED_INT,
                   reinterpret_cast<const void*>(std::size_t{first_index} * sizeof(std::uint32_t)));
+  if (is_brush_model) gl.Disable(GL_POLYGON_OFFSET_FILL);
 }
 
 // Faces with the same program and texture array follow one another.

@@ -192,10 +192,10 @@ void main() {
   if ((image.z >> 22 & 1u) == 0u) {
     float thickness = fog_density / 64.0 * max(view_distance, 0.0);
 #ifdef INDEXED
-    color.r = fog_index(color.r, kind >= kSky ? 0.5 : 1.0 - exp(-thickness * thickness));
+    color.r = fog_index(color.r, kind == kSky || kind == kSkybox ? 0.5 : 1.0 - exp(-thickness * thickness));
 #else
     // In 256ths, and halves are rounded up, as on the CPU.
-    float share = kind >= kSky ? 0.5 : floor((1.0 - exp(-thickness * thickness)) * 256.0 + 0.5) / 256.0;
+    float share = kind == kSky || kind == kSkybox ? 0.5 : floor((1.0 - exp(-thickness * thickness)) * 256.0 + 0.5) / 256.0;
     color.rgb = mix(color.rgb, fog_color, share) + 0.001 / 255.0;
 #endif
   }
