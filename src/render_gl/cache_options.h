@@ -28,6 +28,7 @@ struct CacheCounts {
   std::uint32_t evicted = 0;   // images that made room for others
   std::uint32_t portions = 0;  // the cache was filled so often; 1 if the frame fits
   std::uint64_t bytes_uploaded = 0;
+  std::uint32_t drawn = 0;  // blocks that the card drew itself, because they were missing
 };
 
 }  // namespace temblor::render_gl

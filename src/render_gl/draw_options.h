@@ -10,11 +10,12 @@ namespace temblor::render_gl {
 // How lit faces get their texels. Faces that only the CPU can compose (with marks, holes, glow, or waves)
 // have blocks in every method.
 enum class WorldMethod : std::uint8_t {
-  kBlocks,      // the CPU lights surface blocks, as in VQuake
-  kLitTextures  // each pixel is a texel times its light: two textures in one pass
+  kBlocks,       // the CPU lights surface blocks, as in VQuake
+  kLitTextures,  // each pixel is a texel times its light: two textures in one pass
+  kCardBlocks    // the card draws that product into surface blocks, and keeps them as those of the CPU
 };
 
-// What the programs of the level's faces depend on. Blending filters need kLitTextures; blocks, and textures
+// The programs of the level's faces depend on this. Blending filters need kLitTextures; blocks, and textures
 // without light, are blended between four texels in all of them.
 struct DrawOptions {
   WorldMethod method = WorldMethod::kBlocks;

@@ -175,7 +175,7 @@ base::Status GlRenderer::State::draw(const FrameInput& input, std::uint32_t back
   TRY_STATUS(p.world.prepare(gl, input));
   TRY_STATUS(p.sprites.prepare(gl, input));
   p.target.begin(gl, background);
-  p.world.draw_opaque(gl, input);
+  p.world.draw_opaque(gl, input, p.target);
   TRY_STATUS(p.models.draw_opaque(gl, input));
   p.sprites.draw_opaque(gl, input);
   TRY_STATUS(p.particles.draw(gl, input));

@@ -24,7 +24,9 @@ class FailingCard : public testing::TestWithParam<render::PixelFormat> {
 
   base::Result<GlRenderer> make() {
     card_->calls = {};
-    return GlRenderer::make(card_->finder(), level_.palette, level_.colormap);
+    auto made = GlRenderer::make(card_->finder(), level_.palette, level_.colormap);
+    if (made.ok()) made->set_method(method_);
+    return made;
   }
   base::Status draw(GlRenderer& io_renderer) {
     render::FrameBuffer frame(64, 48, GetParam());
@@ -55,6 +57,7 @@ class FailingCard : public testing::TestWithParam<render::PixelFormat> {
   const test::DrawableLevel level_ = test::small_level();
   std::unique_ptr<InjectedGl> card_;
   ModelScene scene_;
+  WorldMethod method_ = WorldMethod::kLitTextures;
 };
 
 bool contains(const std::string& text, const char* part) {
@@ -138,6 +141,24 @@ TEST_P(FailingCard, SaysThatTheContextIsLost) {
   card_->faults.texture_error = kContextLost;
   card_->faults.texture = 0;
   EXPECT_TRUE(contains(run(), "the OpenGL context is lost"));
+}
+
+TEST_P(FailingCard, SurvivesFailuresWhenItBuildsBlocks) {
+  method_ = WorldMethod::kCardBlocks;
+  ASSERT_EQ(run(), "");
+  const InjectedGl::Calls all = card_->calls;
+  const auto fail_each = [&](int count, int& io_fault, const char* line) {
+    for (int number = 0; number < count; ++number) {
+      io_fault = number;
+      EXPECT_TRUE(contains(run(), line)) << number;
+    }
+    io_fault = -1;
+  };
+  fail_each(all.compile, card_->faults.compile, "the OpenGL driver does not compile a shader");
+  fail_each(all.link, card_->faults.link, "the OpenGL driver does not link a shader");
+  fail_each(all.texture, card_->faults.texture, "the graphics card is out of memory");
+  fail_each(all.buffer, card_->faults.buffer, "the graphics card is out of memory");
+  fail_each(all.framebuffer, card_->faults.framebuffer, "the graphics card cannot draw into a texture");
 }
 
 // A frame that fails leaves the renderer as it was.

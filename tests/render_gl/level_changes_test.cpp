@@ -52,6 +52,28 @@ class LevelChanges : public testing::TestWithParam<render::PixelFormat> {
       ASSERT_TRUE(result.ok()) << result.error().what;
     }
   }
+  void keep_nothing(WorldMethod method) {
+    constexpr std::size_t kFirst = 20;
+    const std::size_t changes = test::effort(500, 30);
+    {
+      GlRenderer renderer =
+          GlRenderer::make(card_->finder(), levels_[0].palette, levels_[0].colormap).value();
+      renderer.set_method(method);
+      Held most;
+      for (std::size_t number = 0; number < changes; ++number) {
+        draw_level(number, renderer);
+        const Held now = held();
+        if (number < kFirst) {
+          most = {std::max(most.objects, now.objects), std::max(most.bytes, now.bytes)};
+          continue;
+        }
+        ASSERT_LE(now.objects, most.objects) << "after " << number << " changes";
+        ASSERT_LE(now.bytes, most.bytes) << "after " << number << " changes";
+      }
+      std::cout << "[          ] " << most.objects << " objects, " << most.bytes << " bytes\n";
+    }
+    EXPECT_EQ(card_->live_objects(), 0u);
+  }
   Held held() const { return {card_->live_objects(), card_->live_bytes()}; }
 
   const std::vector<test::DrawableLevel> levels_ = {test::small_level({.tiny = true}, "tiny"),
@@ -60,24 +82,9 @@ class LevelChanges : public testing::TestWithParam<render::PixelFormat> {
 };
 
 TEST_P(LevelChanges, KeepNothingOfOldLevels) {
-  constexpr std::size_t kFirst = 20;
-  const std::size_t changes = test::effort(500, 60);
-  {
-    GlRenderer renderer = GlRenderer::make(card_->finder(), levels_[0].palette, levels_[0].colormap).value();
-    Held most;
-    for (std::size_t number = 0; number < changes; ++number) {
-      draw_level(number, renderer);
-      const Held now = held();
-      if (number < kFirst) {
-        most = {std::max(most.objects, now.objects), std::max(most.bytes, now.bytes)};
-        continue;
-      }
-      ASSERT_LE(now.objects, most.objects) << "after " << number << " changes";
-      ASSERT_LE(now.bytes, most.bytes) << "after " << number << " changes";
-    }
-    std::cout << "[          ] " << most.objects << " objects, " << most.bytes << " bytes\n";
-  }
-  EXPECT_EQ(card_->live_objects(), 0u);
+  keep_nothing(WorldMethod::kBlocks);
+  if (GetParam() == render::PixelFormat::kIndexed) return;
+  for (const WorldMethod method : {WorldMethod::kLitTextures, WorldMethod::kCardBlocks}) keep_nothing(method);
 }
 
 INSTANTIATE_TEST_SUITE_P(BothFormats, LevelChanges,

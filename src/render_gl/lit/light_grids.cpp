@@ -42,6 +42,10 @@ base::Result<LightGrids> LightGrids::make(const Functions& gl) {
   return LightGrids(std::move(atlas));
 }
 
+AtlasKey LightGrids::find_key(const world::Level& level, const render::BlockRequest& request) {
+  return light_key(request, render::choose_block_grids(level, request).shown);
+}
+
 std::optional<LightGrids::Grid> LightGrids::place(const Functions& gl, const world::Level& level,
                                                   const render::BlockRequest& request) {
   const render::BlockGrids grids = render::choose_block_grids(level, request);

@@ -29,6 +29,8 @@ class LightGrids {
     AtlasPlace place;
     int texels_power;  // the samples are 2^texels_power texels of the request's mip level apart
   };
+  // Identifies the light of a tile: tiles with the same key have the same samples.
+  static AtlasKey find_key(const world::Level& level, const render::BlockRequest& request);
   // The light of a tile, after uploading it if it is missing. Nothing if the portion is full.
   std::optional<Grid> place(const Functions& gl, const world::Level& level,
                             const render::BlockRequest& request);

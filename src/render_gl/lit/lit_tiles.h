@@ -28,6 +28,8 @@ class LitTiles {
 
   // Whether a draw (a number in SurfaceDraws) is one of the frame's lit tiles.
   bool contains(std::uint32_t draw) const { return draw < by_draw_.size() && by_draw_[draw] != nullptr; }
+  // The request that take() found for a lit tile.
+  const render::BlockRequest& request(std::uint32_t draw) const { return *by_draw_[draw]; }
   // The array that has its texture.
   std::uint16_t array(std::uint32_t draw) const;
   // The record of a lit tile, with its light on the card. Nothing if the portion is full.

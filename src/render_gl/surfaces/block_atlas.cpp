@@ -165,10 +165,9 @@ std::optional<StoredImage> BlockAtlas::reuse(AtlasKey key) {
   return found->second->stored;
 }
 
-std::optional<StoredImage> BlockAtlas::place(const Functions& gl, const AtlasImage& image) {
-  const render::SurfaceShape shape = shrink(image.shape);
+BlockAtlas::Cell* BlockAtlas::find_cell(AtlasKey key, render::SurfaceShape shape) {
   const RectAllocator::Size size = RectAllocator::fit(shape.width, shape.height);
-  auto found = by_key_.find(image.key);
+  auto found = by_key_.find(key);
   // The CPU's cache may have reused the memory of a block for one of another size.
   if (found != by_key_.end() && found->second->size != size) {
     drop(found->second);
@@ -176,18 +175,31 @@ std::optional<StoredImage> BlockAtlas::place(const Functions& gl, const AtlasIma
   }
   if (found == by_key_.end()) {
     const std::optional<RectAllocator::Rect> rect = make_room(size);
-    if (!rect) return std::nullopt;
-    of_portion_.push_back({image.key, *rect, size, {rect->place, shape}, frame_, portion_, true});
-    found = by_key_.emplace(image.key, std::prev(of_portion_.end())).first;
+    if (!rect) return nullptr;
+    of_portion_.push_back({key, *rect, size, {rect->place, shape}, frame_, portion_, true});
+    found = by_key_.emplace(key, std::prev(of_portion_.end())).first;
   } else {
     counts_.hits += !found->second->changed && found->second->portion != portion_;
     use(found->second);
   }
-  Cell& cell = *found->second;
-  cell.stored.shape = shape;
-  if (cell.changed) upload(gl, image, cell.stored);
-  cell.changed = false;
-  return cell.stored;
+  found->second->stored.shape = shape;
+  return &*found->second;
+}
+
+std::optional<StoredImage> BlockAtlas::place(const Functions& gl, const AtlasImage& image) {
+  Cell* const cell = find_cell(image.key, shrink(image.shape));
+  if (cell == nullptr) return std::nullopt;
+  if (cell->changed) upload(gl, image, cell->stored);
+  cell->changed = false;
+  return cell->stored;
+}
+
+std::optional<StoredImage> BlockAtlas::reserve(AtlasKey key, render::SurfaceShape shape) {
+  Cell* const cell = find_cell(key, shrink(shape));
+  if (cell == nullptr) return std::nullopt;
+  cell->changed = false;
+  ++counts_.drawn;
+  return cell->stored;
 }
 
 const void* BlockAtlas::convert(const AtlasImage& image, render::SurfaceShape stored) {

@@ -51,13 +51,19 @@ class BlockAtlas {
   void clear();
   // The image's texels have changed: it must be uploaded before it is drawn again.
   void invalidate(AtlasKey key);
-  // The image if it is there and has not changed, without its texels. As place(), it counts as used.
+  // The image if it is there and has not changed, without its texels. It counts as used.
   std::optional<StoredImage> reuse(AtlasKey key);
   // The image, after uploading it if it is missing or has changed. Nothing if the portion is full. Two images
   // always fit an empty portion.
   std::optional<StoredImage> place(const Functions& gl, const AtlasImage& image);
 
+  // Room for an image that is not there (reuse() found nothing): the caller draws its texels into the texture
+  // before the portion is drawn. Nothing if the portion is full.
+  std::optional<StoredImage> reserve(AtlasKey key, render::SurfaceShape shape);
+
   GLuint texture() const { return texture_.name(); }
+  // Texels of a layer's side.
+  int side() const { return 1 << layer_power_; }
   TexelFormat format() const { return format_; }
   // Memory of the card.
   std::size_t bytes() const { return bytes_; }
@@ -80,6 +86,8 @@ class BlockAtlas {
   void drop(Cells::iterator cell);
   std::optional<RectAllocator::Rect> make_room(RectAllocator::Size size);
   void use(Cells::iterator cell);
+  // The cell of an image, whose texels count as changed if it is new. Null if the portion is full.
+  Cell* find_cell(AtlasKey key, render::SurfaceShape stored_shape);
   void upload(const Functions& gl, const AtlasImage& image, const StoredImage& stored);
   // The texels as the card takes them.
   const void* convert(const AtlasImage& image, render::SurfaceShape stored);

@@ -25,7 +25,7 @@ enum class TileKind : std::uint32_t {
 // Bits of TileRecord::flags: texels with alpha 0 are clear; one color replaces all texels; there is no fog.
 constexpr std::uint32_t kHasHoles = 1 << 20, kHasColor = 1 << 21, kHasNoFog = 1 << 22;
 
-// Of kLit, place and layer are those of its grid of light, size is that of the block that it does without,
+// A record of kLit has the place and layer of its grid of light, the size of the block that it does without,
 // and scale_t holds other bits (lit_shaders.h).
 //
 // One tile. A texel of the atlas is found from a point of the face that is s, t texels of mip 0 from the

@@ -4,6 +4,7 @@
 
 #include "render/color/blend_tables.h"
 #include "render/color/warped_rows.h"
+#include "render_gl/surfaces/block_record.h"
 
 namespace temblor::render_gl {
 
@@ -19,14 +20,6 @@ AtlasKey texture_key(const SurfaceDraw& draw, TexturePart part) {
   const auto mip = static_cast<std::uint64_t>(draw.mip + 8);
   return std::uint64_t{1} << 63 | texture << 24 | mip << 16 | std::uint64_t{draw.light_row} << 8 |
          static_cast<std::uint64_t>(part);
-}
-
-void set_image(TileKind kind, const StoredImage& image, TileRecord& out_record) {
-  const render::SurfaceShape shape = image.shape;
-  out_record.place = pack_halves(image.place.x, image.place.y);
-  out_record.size =
-      pack_halves(static_cast<std::uint32_t>(shape.width), static_cast<std::uint32_t>(shape.height));
-  out_record.flags = std::uint32_t{image.place.layer} | static_cast<std::uint32_t>(kind) << 16 | 0xff000000u;
 }
 
 // `size` is the image's own, in texels of which the record's scale counts the stored ones.
@@ -46,13 +39,7 @@ std::optional<TileRecord> place_block(const Functions& gl, const SurfaceDraw& dr
   const render::SurfaceShape shape = draw.block.shape;
   const auto stored = io_atlas.place(gl, {block_key(draw.block), draw.block.texels, shape});
   if (!stored) return std::nullopt;
-  TileRecord record;
-  set_image(TileKind::kBlock, *stored, record);
-  record.origin_s = -static_cast<float>(tile % tiles.s * render::kTileTexels);
-  record.origin_t = -static_cast<float>(tile / tiles.s * render::kTileTexels);
-  set_scale(stored->shape.width, std::ldexp(shape.width, draw.mip), record.scale_s);
-  set_scale(stored->shape.height, std::ldexp(shape.height, draw.mip), record.scale_t);
-  return record;
+  return make_block_record(*stored, {shape, draw.mip, tile % tiles.s, tile / tiles.s});
 }
 
 std::optional<TileRecord> place_sky(const Functions& gl, const SurfaceDraw& draw, const render::SkySpans& sky,

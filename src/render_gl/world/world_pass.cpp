@@ -52,12 +52,19 @@ CacheCounts WorldPass::counts() const {
 base::Status WorldPass::set_options(const Functions& gl, const DrawOptions& options,
                                     render::PixelFormat format) {
   if (options == options_) return base::Ok{};
-  TRY(programs_, FacePrograms::make(gl, options, format));
-  if (options.method != WorldMethod::kLitTextures) {
+  // All of them are made before one is replaced: if that fails, the old options go on.
+  TRY(FacePrograms programs, FacePrograms::make(gl, options, format));
+  std::optional<CardBlocks> card_blocks;
+  if (options.method == WorldMethod::kCardBlocks) {
+    TRY(card_blocks, CardBlocks::make(gl, atlas_));
+  }
+  if (options.method == WorldMethod::kBlocks) {
     lit_.reset();
   } else if (!lit_) {
     TRY(lit_, LitTiles::make(gl));
   }
+  programs_ = std::move(programs);
+  card_blocks_ = std::move(card_blocks);
   lit_level_ = {};  // its textures need the options' filter
   options_ = options;
   return base::Ok{};
@@ -97,7 +104,9 @@ base::Status WorldPass::prepare(const Functions& gl, const FrameInput& input) {
   gl.BindVertexArray(0);
   portion_ = {};
   begin_portion(gl, input);
-  return gl.check("loading surfaces");
+  const base::Status loaded = gl.check("loading surfaces");
+  if (!loaded.ok()) atlas_.clear();  // texels may be missing
+  return loaded;
 }
 
 base::Status WorldPass::set_level(const Functions& gl, const FrameInput& input) {
@@ -137,6 +146,14 @@ void WorldPass::begin_portion(const Functions& gl, const FrameInput& input) {
   if (is_full && portion_.next_tile == 0) --portion_.end;
   CHECK(!is_full || portion_.end > portion_.begin, "an empty portion has no room for a tile");
   table_.upload(gl);
+  if (card_blocks_) card_blocks_->draw(gl, *lit_, atlas_);
+}
+
+std::optional<TileRecord> WorldPass::place_draw(const Functions& gl, const FrameInput& input,
+                                                std::uint32_t draw) {
+  const world::Level& level = input.context.level();
+  if (!lit_ || !lit_->contains(draw)) return place_tile(gl, input, draw, atlas_);
+  return card_blocks_ ? card_blocks_->place(gl, level, draw, *lit_, atlas_) : lit_->place(gl, level, draw);
 }
 
 // Begins at tile portion_.next_tile. False: the portion is full, and the other tiles must wait for the next
@@ -149,9 +166,7 @@ bool WorldPass::place_face(const Functions& gl, const FrameInput& input, const Q
     TileRecord record;
     const std::optional<std::uint32_t> draw = find_seen_draw(input, face, tile);
     if (draw && tile >= begin && !is_full) {
-      const std::optional<TileRecord> placed = lit_ && lit_->contains(*draw)
-                                                   ? lit_->place(gl, input.context.level(), *draw)
-                                                   : place_tile(gl, input, *draw, atlas_);
+      const std::optional<TileRecord> placed = place_draw(gl, input, *draw);
       is_full = !placed;
       if (is_full)
         portion_.next_tile = tile;
@@ -257,10 +272,11 @@ void WorldPass::draw_opaque_portion(const Functions& gl, const FrameInput& input
   gl.BindVertexArray(0);
 }
 
-void WorldPass::draw_opaque(const Functions& gl, const FrameInput& input) {
+void WorldPass::draw_opaque(const Functions& gl, const FrameInput& input, const Target& target) {
   draw_opaque_portion(gl, input);
   while (!portion_.has_all_before(faces_.first_translucent())) {
     begin_portion(gl, input);
+    target.bind(gl);
     draw_opaque_portion(gl, input);
   }
 }
@@ -293,6 +309,7 @@ base::Status WorldPass::draw_translucent(const Functions& gl, const FrameInput& 
   if (portion_.contains(number)) TRY_STATUS(draw_translucent_portion(gl, input, number, io_target));
   while (!portion_.has_all_before(number + 1)) {
     begin_portion(gl, input);
+    io_target.bind(gl);
     if (portion_.contains(number)) TRY_STATUS(draw_translucent_portion(gl, input, number, io_target));
   }
   return base::Ok{};

@@ -13,6 +13,8 @@
 #include <span>
 #include <vector>
 
+#include "render_gl/built/card_blocks.h"
+#include "render_gl/frame/target.h"
 #include "render_gl/lit/lit_tiles.h"
 #include "render_gl/surfaces/block_atlas.h"
 #include "render_gl/surfaces/tile_table.h"
@@ -38,8 +40,8 @@ class WorldPass {
   // Brings the frame's first portion of texels and records, and all vertices, to the graphics card. Fails if
   // the card lacks memory.
   base::Status prepare(const Functions& gl, const FrameInput& input);
-  // Draws opaque faces, and those with holes, with depth. prepare() comes first.
-  void draw_opaque(const Functions& gl, const FrameInput& input);
+  // Draws opaque faces, and those with holes, with depth. prepare() comes first. `target` is bound.
+  void draw_opaque(const Functions& gl, const FrameInput& input, const Target& target);
   // Blends translucent face number `face` (DeferredFaces::translucent) into the picture, tested against
   // depth. Numbers must rise from call to call. `io_target` is the one that is drawn to. Fails if the card
   // lacks memory.
@@ -65,8 +67,9 @@ class WorldPass {
   WorldPass(const Functions& gl, FacePrograms programs, BlockAtlas atlas);
   base::Status set_level(const Functions& gl, const FrameInput& input);
   base::Status set_options(const Functions& gl, const DrawOptions& options, render::PixelFormat format);
-  // Null: the options need no lit tiles.
-  LitTiles* lit() { return lit_ ? &*lit_ : nullptr; }
+  // Null: no face is drawn from a texture and its light.
+  const LitTiles* lit() const { return lit_ && !card_blocks_ ? &*lit_ : nullptr; }
+  std::optional<TileRecord> place_draw(const Functions& gl, const FrameInput& input, std::uint32_t draw);
   base::Status number_instances(const Functions& gl, const FrameInput& input);
   void begin_portion(const Functions& gl, const FrameInput& input);
   bool place_face(const Functions& gl, const FrameInput& input, const QueuedFace& face);
@@ -82,6 +85,7 @@ class WorldPass {
   DrawOptions options_;  // of the programs
   BlockAtlas atlas_;
   std::optional<LitTiles> lit_;
+  std::optional<CardBlocks> card_blocks_;
   std::shared_ptr<const world::LevelIdentity> lit_level_;
   TileTable table_;
   std::shared_ptr<const world::LevelIdentity> level_;

@@ -28,28 +28,37 @@ ProgramRun run_card(const Words& words) {
   return run_program(folder.path(), all);
 }
 
-TEST(CardProgram, MeasuresEveryCache) {
+TEST(CardProgram, MeasuresEveryCacheAndMethod) {
   if (!has_opengl()) GTEST_SKIP() << "no OpenGL";
-  const ProgramRun run = run_card({"--json", "--size", "160x120", "--size", "320x200"});
-  ASSERT_EQ(run.exit_status, 0) << run.err;
-  const json result = json::parse(run.out);
+  const ProgramRun program = run_card({"--json", "--size", "160x120", "--size", "320x200"});
+  ASSERT_EQ(program.exit_status, 0) << program.err;
+  const json result = json::parse(program.out);
   EXPECT_NE(result.at("driver"), "");
-  const json& caches = result.at("runs");
-  ASSERT_EQ(caches.size(), 16u);
-  for (std::size_t i = 0; i < caches.size(); ++i) {
-    const json& cache = caches[i];
-    ASSERT_FALSE(cache.contains("problem")) << cache;
-    EXPECT_EQ(cache.at("size"), i < 8 ? "160x120" : "320x200");
-    EXPECT_EQ(cache.at("bits"), i / 4 % 2 == 0 ? 32 : 16);
-    EXPECT_EQ(cache.at("megabytes"), (std::array{2, 4, 64, 256})[i % 4]);
-    EXPECT_EQ(cache.at("cache_bytes"), cache.at("megabytes").get<int>() << 20);
-    EXPECT_EQ(cache.at("frames"), caches[i / 8 * 8].at("frames"));
-    EXPECT_GT(cache.at("frame_ms").at("p50"), 0.0);
-    EXPECT_GE(cache.at("frame_ms").at("max"), cache.at("frame_ms").at("p99"));
-    EXPECT_GE(cache.at("portions"), 1.0);
-    EXPECT_GT(cache.at("hits").get<double>() + cache.at("uploads").get<double>(), 0.0);
-    EXPECT_GE(cache.at("max_bytes_uploaded"), cache.at("bytes_uploaded"));
-    if (cache.at("bits") == 32) EXPECT_GE(cache.at("equal_share"), 0.95);
+  const json& runs = result.at("runs");
+  constexpr std::size_t kCaches = 8, kRuns = 10;  // at each size
+  ASSERT_EQ(runs.size(), 2 * kRuns);
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const json& run = runs[i];
+    const std::size_t number = i % kRuns;
+    ASSERT_FALSE(run.contains("problem")) << run;
+    EXPECT_EQ(run.at("size"), i < kRuns ? "160x120" : "320x200");
+    EXPECT_EQ(run.at("method"), number < kCaches    ? "blocks"
+                                : number == kCaches ? "card's blocks"
+                                                    : "lit textures");
+    EXPECT_EQ(run.at("bits"), number / 4 == 1 ? 16 : 32);
+    EXPECT_EQ(run.at("megabytes"), number < kCaches ? (std::array{2, 4, 64, 256})[number % 4] : 64);
+    const int cache_bytes = run.at("megabytes").get<int>() << 20;
+    if (number < kCaches)
+      EXPECT_EQ(run.at("cache_bytes"), cache_bytes);
+    else
+      EXPECT_GT(run.at("cache_bytes"), cache_bytes) << "textures and light";
+    EXPECT_EQ(run.at("frames"), runs[i / kRuns * kRuns].at("frames"));
+    EXPECT_GT(run.at("frame_ms").at("p50"), 0.0);
+    EXPECT_GE(run.at("frame_ms").at("max"), run.at("frame_ms").at("p99"));
+    EXPECT_GE(run.at("portions"), 1.0);
+    EXPECT_GT(run.at("hits").get<double>() + run.at("uploads").get<double>(), 0.0);
+    EXPECT_GE(run.at("max_bytes_uploaded"), run.at("bytes_uploaded"));
+    if (run.at("bits") == 32) EXPECT_GE(run.at("equal_share"), 0.95);
   }
 }
 

@@ -140,12 +140,14 @@ base::Result<std::string> describe_driver(const CardBench& bench) {
 }
 
 // The methods next to the caches of blocks.
-constexpr WorldMethod kOtherMethods[] = {WorldMethod::kLitTextures};
+constexpr WorldMethod kOtherMethods[] = {WorldMethod::kCardBlocks, WorldMethod::kLitTextures};
 
 const char* method_name(WorldMethod method) {
   switch (method) {
     case WorldMethod::kBlocks:
       return "blocks";
+    case WorldMethod::kCardBlocks:
+      return "card's blocks";
     case WorldMethod::kLitTextures:
       return "lit textures";
   }
@@ -158,7 +160,7 @@ std::string describe_run(const CardFigures& figures) {
                      figures.cache.format == TexelFormat::k16Bit ? "16 bit" : "32 bit");
 }
 
-// What is measured at one size.
+// The runs at one size.
 std::vector<CardFigures> plan_runs(const CardGrid& grid, FrameSize size) {
   std::vector<CardFigures> runs;
   const auto add = [&](WorldMethod method, const render_gl::CacheOptions& cache) {

@@ -1,0 +1,166 @@
+#include "render_gl/built/card_blocks.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <string>
+#include <tuple>
+
+#include "base/hash.h"
+#include "render_gl/lit/lit_shaders.h"
+#include "render_gl/surfaces/block_record.h"
+
+namespace temblor::render_gl {
+
+namespace {
+
+constexpr GLenum kTexturesUnit = 3, kLightUnit = 4;
+
+// One block per instance, as a strip of two triangles.
+constexpr const char* kVertexShader = R"(
+layout(location = 0) in uvec4 lit;
+layout(location = 1) in uvec3 stored;  // mapping.w of the tile; x | y << 16; width | height << 16
+
+uniform float side;  // texels of a layer
+
+flat out vec4 texels;   // LitTile: last, first
+flat out vec4 light;    // light_first, light_layer, samples_per_texel
+flat out vec4 picture;  // texture_layer, level; the block's texels per stored texel
+flat out vec2 begin;    // of the block in the atlas
+
+void main() {
+  LitTile tile = read_lit_tile(lit, vec4(0, 0, 0, uintBitsToFloat(stored.x)));
+  vec2 size = vec2(stored.z & 0xffffu, stored.z >> 16);
+  begin = vec2(stored.y & 0xffffu, stored.y >> 16);
+  vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1);
+  gl_Position = vec4((begin + corner * size) / side * 2.0 - 1.0, 0.0, 1.0);
+  texels = vec4(tile.last, tile.first);
+  light = vec4(tile.light_first, tile.light_layer, tile.samples_per_texel);
+  picture = vec4(tile.texture_layer, tile.level, (tile.last + 1.0) / size);
+}
+)";
+
+constexpr const char* kFragmentShader = R"(
+uniform bool has_color_key;
+
+flat in vec4 texels;
+flat in vec4 light;
+flat in vec4 picture;
+flat in vec2 begin;
+out vec4 color;
+
+void main() {
+  LitTile tile = LitTile(texels.xy, texels.zw, light.xy, light.z, picture.x, picture.y, light.w);
+  vec2 at = floor(gl_FragCoord.xy - begin) * picture.zw + 0.25;
+  color = vec4(find_lit_color(tile, at, vec2(0), vec2(0)), 1.0);
+  if (!has_color_key) return;
+  // Rounded here, as uploads are: some drivers cut colors of 16 bits off. One color stands for clear texels.
+  vec3 steps = floor(color.rgb * vec3(31, 63, 31) + 0.5);
+  if (steps == vec3(31, 0, 31)) steps.r = 30.0;
+  color.rgb = (steps + 0.01) / vec3(31, 63, 31);
+}
+)";
+
+// Addresses of the CPU's blocks are below 2^62, and keys of textures below 3 * 2^62.
+AtlasKey card_block_key(const world::Level& level, const render::BlockRequest& request) {
+  AtlasKey key = LightGrids::find_key(level, request);
+  key = base::hash_with(key, base::to_size(request.contents.texture));
+  key = base::hash_with(key, static_cast<std::uint64_t>(request.mip + 8));
+  return key | std::uint64_t{3} << 62;
+}
+
+}  // namespace
+
+CardBlocks::CardBlocks(const Functions& gl, Program program, Framebuffer framebuffer)
+    : program_(std::move(program)),
+      framebuffer_(std::move(framebuffer)),
+      buffer_(make_buffer(gl)),
+      vertex_array_(make_vertex_array(gl)) {}
+
+base::Result<CardBlocks> CardBlocks::make(const Functions& gl, const BlockAtlas& atlas) {
+  const std::string vertex = std::string(kLitTilePart) + kVertexShader;
+  const std::string fragment =
+      std::string("#define FILTER 0\n") + kLitTilePart + kLitColorPart + kFragmentShader;
+  TRY(Program program, make_program(gl, vertex.c_str(), fragment.c_str()));
+  Framebuffer framebuffer = make_framebuffer(gl);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
+  gl.FramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, atlas.texture(), 0, 0);
+  if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+    return base::error(base::ErrorCode::kUnsupported, "the graphics card cannot draw into a texture");
+  return CardBlocks(gl, std::move(program), std::move(framebuffer));
+}
+
+// A block that is there needs no light, so its grid may make room for others. A new one asks for its light
+// first: room in the atlas without it would stay empty.
+std::optional<TileRecord> CardBlocks::place(const Functions& gl, const world::Level& level,
+                                            std::uint32_t draw, LitTiles& io_lit, BlockAtlas& io_atlas) {
+  const render::BlockRequest& request = io_lit.request(draw);
+  const render::SurfaceShape shape =
+      render::surface_shape(level.face(request.face), request.tile_s, request.tile_t, request.mip);
+  const TileBlock block{shape, request.mip, request.tile_s, request.tile_t};
+  const AtlasKey key = card_block_key(level, request);
+  if (const auto stored = io_atlas.reuse(key)) return make_block_record(*stored, block);
+  const auto lit = io_lit.place(gl, level, draw);
+  if (!lit) return std::nullopt;
+  const auto stored = io_atlas.reserve(key, shape);
+  if (!stored) return std::nullopt;
+  const TileRecord record = make_block_record(*stored, block);
+  jobs_.push_back({stored->place.layer,
+                   io_lit.array(draw),
+                   {lit->place, lit->size, lit->flags, lit->second_place},
+                   std::bit_cast<std::uint32_t>(lit->scale_t),
+                   record.place,
+                   record.size});
+  return record;
+}
+
+void CardBlocks::bind(const Functions& gl, const LitTiles& lit, const BlockAtlas& atlas) const {
+  const auto find = [&](const char* name) { return gl.GetUniformLocation(program_.name(), name); };
+  gl.UseProgram(program_.name());
+  gl.Uniform1i(find("textures"), kTexturesUnit);
+  gl.Uniform1i(find("light_grids"), kLightUnit);
+  gl.Uniform1i(find("has_color_key"), atlas.format() == TexelFormat::k16Bit);
+  gl.Uniform1f(find("side"), static_cast<float>(atlas.side()));
+  gl.ActiveTexture(GL_TEXTURE0 + kLightUnit);
+  gl.BindTexture(GL_TEXTURE_2D_ARRAY, lit.light_texture());
+  gl.ActiveTexture(GL_TEXTURE0 + kTexturesUnit);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+  gl.Viewport(0, 0, atlas.side(), atlas.side());
+  gl.Disable(GL_DITHER);
+  gl.Disable(GL_BLEND);
+  gl.Disable(GL_CULL_FACE);
+  gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+// One call for all blocks of a layer with textures of one array.
+void CardBlocks::draw(const Functions& gl, const LitTiles& lit, const BlockAtlas& atlas) {
+  if (jobs_.empty()) return;
+  const auto group = [](const Job& job) { return std::tuple(job.layer, job.array); };
+  std::ranges::stable_sort(jobs_, {}, group);
+  bind(gl, lit, atlas);
+  gl.BindVertexArray(vertex_array_.name());
+  gl.BindBuffer(GL_ARRAY_BUFFER, buffer_.name());
+  gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(jobs_.size() * sizeof(Job)), jobs_.data(),
+                GL_STREAM_DRAW);
+  for (std::size_t begin = 0, end = 0; begin < jobs_.size(); begin = end) {
+    while (end < jobs_.size() && group(jobs_[end]) == group(jobs_[begin])) ++end;
+    const auto set_input = [&](GLuint location, GLint count, std::size_t offset) {
+      gl.EnableVertexAttribArray(location);
+      gl.VertexAttribIPointer(location, count, GL_UNSIGNED_INT, sizeof(Job),
+                              reinterpret_cast<const void*>(begin * sizeof(Job) + offset));
+      gl.VertexAttribDivisor(location, 1);
+    };
+    set_input(0, 4, offsetof(Job, lit));
+    set_input(1, 3, offsetof(Job, mapping));
+    gl.FramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, atlas.texture(), 0, jobs_[begin].layer);
+    gl.BindTexture(GL_TEXTURE_2D_ARRAY, lit.array_texture(jobs_[begin].array));
+    gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(end - begin));
+  }
+  gl.BindVertexArray(0);
+  // Target leaves it so: alpha is only for blending.
+  gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
+  gl.ActiveTexture(GL_TEXTURE0);
+  jobs_.clear();
+}
+
+}  // namespace temblor::render_gl
