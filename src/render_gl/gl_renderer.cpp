@@ -59,7 +59,7 @@ struct GlRenderer::State {
   const Functions gl;
   render::FrameCaches caches;
   const CacheOptions cache;
-  std::optional<Passes> passes;  // always there; those of the last frame's format
+  std::optional<Passes> passes;  // of the last frame's format; none after a failure
 
   WorldMethod method = WorldMethod::kBlocks;
 
@@ -196,11 +196,11 @@ void GlRenderer::make_blend_tables() const {
 }
 
 CacheCounts GlRenderer::cache_counts() const {
-  return state_->passes->world.counts();
+  return state_->passes ? state_->passes->world.counts() : CacheCounts{};
 }
 
 std::size_t GlRenderer::cache_bytes() const {
-  return state_->passes->world.cache_bytes();
+  return state_->passes ? state_->passes->world.cache_bytes() : 0;
 }
 
 std::string GlRenderer::describe() const {

@@ -61,6 +61,7 @@ void Target::begin(const Functions& gl, std::uint32_t background) {
   gl.ClearDepthf(0);
   gl.Disable(GL_CULL_FACE);
   gl.Disable(GL_BLEND);
+  gl.Disable(GL_SCISSOR_TEST);
   gl.Enable(GL_DEPTH_TEST);
   gl.DepthMask(GL_TRUE);
   gl.DepthFunc(GL_GREATER);

@@ -72,7 +72,6 @@ using FunctionFinder = std::function<void*(const char* name)>;
   X(PFNGLGETUNIFORMLOCATIONPROC, GetUniformLocation)           \
   X(PFNGLLINKPROGRAMPROC, LinkProgram)                         \
   X(PFNGLPIXELSTOREIPROC, PixelStorei)                         \
-  X(PFNGLPOLYGONOFFSETPROC, PolygonOffset)                     \
   X(PFNGLREADPIXELSPROC, ReadPixels)                           \
   X(PFNGLSCISSORPROC, Scissor)                                 \
   X(PFNGLSHADERSOURCEPROC, ShaderSource)                       \

@@ -20,6 +20,12 @@ vec4 project(vec3 at) {
   float depth = is_perspective() ? projection.z : 1.0 - (at.z - projection.z) / kDepthRange;
   return vec4(at.x * projection.x, -at.y * projection.y, full_range ? 2.0 * depth - w : depth, w);
 }
+
+// The same place in the picture, but nearer by a share of its distance; by a fixed number of units in parallel
+// projection.
+vec4 project_nearer(vec3 at, float share) {
+  return project(is_perspective() ? at * (1.0 - share) : at - vec3(0, 0, share * 4096.0));
+}
 )";
 
 }  // namespace temblor::render_gl

@@ -9,7 +9,7 @@ namespace temblor::render_gl {
 
 namespace {
 
-// All light of a large level takes less.
+// 2048 tiles with stock light maps. Views with more are drawn in portions.
 constexpr CacheOptions kLightCache{.bytes = std::size_t{8} << 20, .format = TexelFormat::kLight};
 
 AtlasKey light_key(const render::BlockRequest& request, const render::SampleGrid& grid) {

@@ -35,10 +35,9 @@ class LightGrids {
   std::optional<Grid> place(const Functions& gl, const world::Level& level,
                             const render::BlockRequest& request);
 
-  // Samples are blue, green, red from 0 to 1, which stands for kLightScale of a texel's color. They are read
-  // with linear interpolation, from their centers.
+  // Samples are blue, green, red from 0 to 1, which stands for nearly twice a texel's color (lit_shaders.h).
+  // They are read with linear interpolation, from their centers.
   GLuint texture() const { return atlas_.texture(); }
-  static constexpr float kLightScale = 32640.0f / 16384.0f;
   // The memory of the card, and counts of the last frame.
   std::size_t bytes() const { return atlas_.bytes(); }
   const CacheCounts& counts() const { return atlas_.counts(); }

@@ -7,7 +7,8 @@
 namespace temblor::render_gl {
 
 // Reads a tile's record. Its mapping.w holds bits: the texture's layer | level << 16 | power of two of the
-// texels between samples of light << 24. image.w: the texel of the texture that the tile begins with.
+// texels between samples of light << 24 | 1 << 30. image.w: the texel of the texture that the tile begins
+// with.
 inline constexpr const char* kLitTilePart = R"(
 struct LitTile {
   vec2 last;         // texel of the tile
@@ -25,7 +26,7 @@ LitTile read_lit_tile(uvec4 image, vec4 mapping) {
   tile.light_layer = float(image.z & 0xffffu);
   tile.texture_layer = float(place & 0xffffu);
   tile.level = float(place >> 16 & 0xffu);
-  tile.samples_per_texel = exp2(-float(place >> 24));
+  tile.samples_per_texel = exp2(-float(place >> 24 & 0x3fu));
   return tile;
 }
 )";
@@ -83,6 +84,7 @@ uniform usampler2D records;
 uniform mat3 model_axes;    // columns: the model's axes in the world
 uniform vec3 model_origin;
 uniform uint first_record;  // of the model's tiles, less that of the world's tiles
+uniform float nearer;       // share of the distance by which a brush model comes nearer
 uniform vec3 eye;
 uniform mat3 view_axes;     // from the world to right, up, forward
 
@@ -93,7 +95,7 @@ flat out vec2 picture;  // texture_layer, level
 
 void main() {
   vec3 at = view_axes * (model_axes * position + (model_origin - eye));
-  gl_Position = project(at);
+  gl_Position = project_nearer(at, nearer);
   uint number = tiles.x + first_record;
   ivec2 record = ivec2(number % 512u * 2u, number / 512u);
   vec4 mapping = uintBitsToFloat(texelFetch(records, record + ivec2(1, 0), 0));

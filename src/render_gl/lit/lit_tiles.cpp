@@ -10,6 +10,9 @@ namespace temblor::render_gl {
 
 namespace {
 
+// Makes other bits those of a normal number: cards may turn smaller ones into 0.
+constexpr std::uint32_t kNormalBit = 1u << 30;
+
 std::uint32_t wrap(std::int64_t texel, std::uint32_t size) {
   const std::int64_t period = size;
   return static_cast<std::uint32_t>((texel % period + period) % period);
@@ -84,7 +87,7 @@ std::optional<TileRecord> LitTiles::place(const Functions& gl, const world::Leve
   record.origin_t = -static_cast<float>(tile_t);
   record.scale_s = std::ldexp(1.0f, -request.mip);
   record.scale_t = std::bit_cast<float>(std::uint32_t{place.layer} | level_number << 16 |
-                                        static_cast<std::uint32_t>(grid->texels_power) << 24);
+                                        static_cast<std::uint32_t>(grid->texels_power) << 24 | kNormalBit);
   return record;
 }
 

@@ -23,7 +23,8 @@ class LitTiles {
 
   // Takes the tiles that need no block out of the frame's requests, which must live as long as the frame.
   void take(const world::Level& level, render::SurfaceRequests& io_requests);
-  void take_none() { by_draw_.clear(); }
+  // Uploads all light again.
+  void clear_light() { light_.clear(); }
   void begin_portion() { light_.begin_portion(); }
 
   // Whether a draw (a number in SurfaceDraws) is one of the frame's lit tiles.

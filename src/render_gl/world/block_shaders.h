@@ -14,6 +14,7 @@ uniform usampler2D records;
 uniform mat3 model_axes;    // columns: the model's axes in the world
 uniform vec3 model_origin;
 uniform uint first_record;  // of the model's tiles, less that of the world's tiles
+uniform float nearer;       // share of the distance by which a brush model comes nearer
 uniform vec3 eye;
 uniform mat3 view_axes;     // from the world to right, up, forward
 
@@ -23,7 +24,7 @@ flat out int layer;
 
 void main() {
   vec3 at = view_axes * (model_axes * position + (model_origin - eye));
-  gl_Position = project(at);
+  gl_Position = project_nearer(at, nearer);
   uint number = tiles.x + first_record;
   ivec2 record = ivec2(number % 512u * 2u, number / 512u);
   uvec4 image = texelFetch(records, record, 0);

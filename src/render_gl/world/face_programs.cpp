@@ -44,6 +44,7 @@ FaceProgram::FaceProgram(const Functions& gl, Program linked)
   const auto find = [&](const char* name) { return gl.GetUniformLocation(program.name(), name); };
   model_axes = find("model_axes");
   model_origin = find("model_origin");
+  nearer = find("nearer");
   first_record = find("first_record");
   eye = find("eye");
   view_axes = find("view_axes");

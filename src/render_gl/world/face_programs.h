@@ -36,7 +36,7 @@ constexpr std::size_t kFaceProgramKinds = 8;
 struct FaceProgram {
   FaceProgram(const Functions& gl, Program linked);
   Program program;
-  GLint model_axes, model_origin, first_record, eye, view_axes, projection, full_range;
+  GLint model_axes, model_origin, nearer, first_record, eye, view_axes, projection, full_range;
   GLint records, atlas, textures, light_grids, has_color_key, skybox, liquid_phase, sky_scroll, fog_density,
       fog_color;
   IndexUniforms index;

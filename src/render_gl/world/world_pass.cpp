@@ -15,8 +15,9 @@ namespace temblor::render_gl {
 namespace {
 
 constexpr GLenum kRecordsUnit = 0, kAtlasUnit = 1, kSkyboxUnit = 2, kTexturesUnit = 3, kLightUnit = 4;
-// In units of the last place of depth.
-constexpr float kBrushModelOffset = 64;
+// Doors may lie in the plane of a wall, which they cover on the CPU. This share of their distance, 0.03 units
+// at 1000, is more than what rounding does to either.
+constexpr float kBrushModelNearer = 1.0f / 32768;
 
 std::array<float, 9> columns(const math::Vec3d& x, const math::Vec3d& y, const math::Vec3d& z) {
   const math::Vec3 a(x), b(y), c(z);
@@ -60,12 +61,13 @@ base::Status WorldPass::set_options(const Functions& gl, const DrawOptions& opti
   }
   if (options.method == WorldMethod::kBlocks) {
     lit_.reset();
+    lit_level_ = {};
   } else if (!lit_) {
     TRY(lit_, LitTiles::make(gl));
   }
   programs_ = std::move(programs);
   card_blocks_ = std::move(card_blocks);
-  lit_level_ = {};  // its textures need the options' filter
+  if (lit_) lit_->set_filter(gl, options.filter);
   options_ = options;
   return base::Ok{};
 }
@@ -76,6 +78,7 @@ base::Status WorldPass::take_lit_tiles(const Functions& gl, const render::FrameC
   if (!lit_) return base::Ok{};
   const world::Level& level = context.level();
   if (lit_level_ != level.identity) {
+    lit_level_ = {};
     TRY_STATUS(lit_->set_level(gl, level, context.colors));
     lit_->set_filter(gl, options.filter);
     lit_level_ = level.identity;
@@ -105,7 +108,10 @@ base::Status WorldPass::prepare(const Functions& gl, const FrameInput& input) {
   portion_ = {};
   begin_portion(gl, input);
   const base::Status loaded = gl.check("loading surfaces");
-  if (!loaded.ok()) atlas_.clear();  // texels may be missing
+  if (!loaded.ok()) {  // texels and light may be missing
+    atlas_.clear();
+    if (lit_) lit_->clear_light();
+  }
   return loaded;
 }
 
@@ -243,14 +249,10 @@ void WorldPass::draw_faces(const Functions& gl, const FrameInput& input, const F
   gl.UniformMatrix3fv(program.model_axes, 1, GL_FALSE, axes.data());
   gl.Uniform3f(program.model_origin, origin.x, origin.y, origin.z);
   gl.Uniform1ui(program.first_record, record_offset_[instance]);
-  // Doors may lie in the plane of a wall, which they cover on the CPU. Their depth differs by rounding only.
-  const bool is_brush_model = instance > 0;
-  if (is_brush_model) gl.Enable(GL_POLYGON_OFFSET_FILL);
-  gl.PolygonOffset(0, kBrushModelOffset);
+  gl.Uniform1f(program.nearer, instance > 0 ? kBrushModelNearer : 0);
   const std::uint32_t end_index = faces.back().first_index + faces.back().index_count;
   gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(end_index - first_index), GL_UNSIGNED_INT,
                   reinterpret_cast<const void*>(std::size_t{first_index} * sizeof(std::uint32_t)));
-  if (is_brush_model) gl.Disable(GL_POLYGON_OFFSET_FILL);
 }
 
 // Faces with the same program and texture array follow one another.

@@ -15,6 +15,7 @@ layout(location = 2) in uvec2 tiles;  // the first tile; columns | rows << 16
 uniform mat3 model_axes;    // columns: the model's axes in the world
 uniform vec3 model_origin;
 uniform uint first_record;  // of the model's tiles, less that of the world's tiles
+uniform float nearer;       // share of the distance by which a brush model comes nearer
 uniform vec3 eye;
 uniform mat3 view_axes;     // from the world to right, up, forward
 
@@ -28,7 +29,7 @@ void main() {
   vec3 at = view_axes * ray;
   view_distance = at.z;
   if (!is_perspective()) ray = vec3(view_axes[0][2], view_axes[1][2], view_axes[2][2]);
-  gl_Position = project(at);
+  gl_Position = project_nearer(at, nearer);
   face_texel = texel;
   face_tiles = uvec2(tiles.x + first_record, tiles.y);
 }
@@ -158,6 +159,7 @@ vec4 skybox_texel(int size) {
 }
 
 void main() {
+  vec2 texel_step_x = dFdx(face_texel), texel_step_y = dFdy(face_texel);
   uint number = face_tiles.x;
   ivec2 grid = unpack(face_tiles.y);
   if (grid.x > 1 || grid.y > 1) {
@@ -172,11 +174,13 @@ void main() {
   ivec2 first = unpack(image.x), size = unpack(image.y);
   int layer = int(image.z & 0xffffu);
   vec2 at = face_texel + mapping.xy;
-  if (kind == kBlock) {
+  if ((image.z >> 20 & 3u) == 2u) {
+    color = vec4(1);  // one color replaces it
+  } else if (kind == kBlock) {
     color = block_color(at * mapping.zw, first, size, layer);
   } else if (kind == kLit) {
-    vec2 step_x = dFdx(face_texel) * mapping.z, step_y = dFdy(face_texel) * mapping.z;
-    color = vec4(find_lit_color(read_lit_tile(image, mapping), at * mapping.z, step_x, step_y), 1.0);
+    color = vec4(find_lit_color(read_lit_tile(image, mapping), at * mapping.z, texel_step_x * mapping.z,
+                                texel_step_y * mapping.z), 1.0);
   } else if (kind == kSky) {
     color = sky_texel(image, size, layer);
   } else if (kind == kSkybox) {
