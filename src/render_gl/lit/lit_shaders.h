@@ -76,28 +76,14 @@ vec3 find_lit_color(LitTile tile, vec2 at, vec2 step_x, vec2 step_y) {
 
 // Faces with one tile. The vertex shader reads the record.
 inline constexpr const char* kLitVertexShader = R"(
-layout(location = 0) in vec3 position;
-layout(location = 1) in vec2 texel;
-layout(location = 2) in uvec2 tiles;  // the first tile; columns | rows << 16
-
-uniform usampler2D records;
-uniform mat3 model_axes;    // columns: the model's axes in the world
-uniform vec3 model_origin;
-uniform uint first_record;  // of the model's tiles, less that of the world's tiles
-uniform float nearer;       // share of the distance by which a brush model comes nearer
-uniform vec3 eye;
-uniform mat3 view_axes;     // from the world to right, up, forward
-
 out vec2 tile_texel;
 flat out vec4 texels;   // LitTile: last, first
 flat out vec4 light;    // light_first, light_layer, samples_per_texel
 flat out vec2 picture;  // texture_layer, level
 
 void main() {
-  vec3 at = view_axes * (model_axes * position + (model_origin - eye));
-  gl_Position = project_nearer(at, nearer);
-  uint number = tiles.x + first_record;
-  ivec2 record = ivec2(number % 512u * 2u, number / 512u);
+  gl_Position = project_nearer(view_axes * find_ray(), nearer);
+  ivec2 record = find_record();
   vec4 mapping = uintBitsToFloat(texelFetch(records, record + ivec2(1, 0), 0));
   LitTile tile = read_lit_tile(texelFetch(records, record, 0), mapping);
   tile_texel = (texel + mapping.xy) * mapping.z;

@@ -6,27 +6,13 @@
 namespace temblor::render_gl {
 
 inline constexpr const char* kBlockVertexShader = R"(
-layout(location = 0) in vec3 position;
-layout(location = 1) in vec2 texel;
-layout(location = 2) in uvec2 tiles;  // the first tile; columns | rows << 16
-
-uniform usampler2D records;
-uniform mat3 model_axes;    // columns: the model's axes in the world
-uniform vec3 model_origin;
-uniform uint first_record;  // of the model's tiles, less that of the world's tiles
-uniform float nearer;       // share of the distance by which a brush model comes nearer
-uniform vec3 eye;
-uniform mat3 view_axes;     // from the world to right, up, forward
-
 out vec2 block_texel;
 flat out ivec4 place;  // x, y in the atlas; the last texel of the block
 flat out int layer;
 
 void main() {
-  vec3 at = view_axes * (model_axes * position + (model_origin - eye));
-  gl_Position = project_nearer(at, nearer);
-  uint number = tiles.x + first_record;
-  ivec2 record = ivec2(number % 512u * 2u, number / 512u);
+  gl_Position = project_nearer(view_axes * find_ray(), nearer);
+  ivec2 record = find_record();
   uvec4 image = texelFetch(records, record, 0);
   vec4 mapping = uintBitsToFloat(texelFetch(records, record + ivec2(1, 0), 0));
   block_texel = (texel + mapping.xy) * mapping.zw;

@@ -5,6 +5,7 @@
 #include "render_gl/gl/projection.h"
 #include "render_gl/lit/lit_shaders.h"
 #include "render_gl/world/block_shaders.h"
+#include "render_gl/world/face_vertex_part.h"
 #include "render_gl/world/world_shaders.h"
 
 namespace temblor::render_gl {
@@ -24,7 +25,8 @@ bool is_needed(FaceProgramKind kind, const DrawOptions& options) {
 base::Result<Program> make_face_program(const Functions& gl, FaceProgramKind kind, bool has_fog,
                                         const DrawOptions& options, ShaderLook look) {
   using enum FaceProgramKind;
-  std::string vertex = kProjectionPart, fragment = look_part(look) + (has_fog ? "#define FOG\n" : "");
+  std::string vertex = std::string(kProjectionPart) + kFaceVertexPart, fragment = look_part(look);
+  if (has_fog) fragment += "#define FOG\n";
   fragment += std::string("#define KIND ") + kKindNames[static_cast<std::size_t>(kind)] + "\n";
   fragment += "#define FILTER " + std::to_string(static_cast<int>(options.filter)) + "\n";
   if (options.sharp_texels) fragment += "#define SHARP\n";

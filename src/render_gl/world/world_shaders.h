@@ -8,24 +8,13 @@
 namespace temblor::render_gl {
 
 inline constexpr const char* kWorldVertexShader = R"(
-layout(location = 0) in vec3 position;
-layout(location = 1) in vec2 texel;
-layout(location = 2) in uvec2 tiles;  // the first tile; columns | rows << 16
-
-uniform mat3 model_axes;    // columns: the model's axes in the world
-uniform vec3 model_origin;
-uniform uint first_record;  // of the model's tiles, less that of the world's tiles
-uniform float nearer;       // share of the distance by which a brush model comes nearer
-uniform vec3 eye;
-uniform mat3 view_axes;     // from the world to right, up, forward
-
 out vec2 face_texel;
 out vec3 ray;
 out float view_distance;  // along the view
 flat out uvec2 face_tiles;
 
 void main() {
-  ray = model_axes * position + (model_origin - eye);
+  ray = find_ray();
   vec3 at = view_axes * ray;
   view_distance = at.z;
   if (!is_perspective()) ray = vec3(view_axes[0][2], view_axes[1][2], view_axes[2][2]);
