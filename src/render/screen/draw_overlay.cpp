@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "base/check.h"
+#include "render/screen/overlay_geometry.h"
 
 namespace temblor::render {
 
@@ -20,22 +20,8 @@ struct Rows {
   std::int64_t first, end;
 };
 
-// The part of a command's area in the job's rows. 64 bits, because corner plus size may overflow an int.
-struct Clip {
-  std::int64_t x_first, x_end, y_first, y_end;
-  bool is_empty() const { return x_first >= x_end || y_first >= y_end; }
-};
-
-Clip intersect(const Clip& clip, const ScreenRect& area) {
-  return {std::max<std::int64_t>(area.x, clip.x_first),
-          std::min<std::int64_t>(std::int64_t{area.x} + area.width, clip.x_end),
-          std::max<std::int64_t>(area.y, clip.y_first),
-          std::min<std::int64_t>(std::int64_t{area.y} + area.height, clip.y_end)};
-}
-
-Clip clip_to_rows(const DrawCommand& command, const FrameBuffer& frame, const Rows& rows) {
-  const Clip clip = intersect({0, frame.width(), rows.first, rows.end}, command.area);
-  return command.clip ? intersect(clip, *command.clip) : clip;
+OverlayClip clip_to_rows(const DrawCommand& command, const FrameBuffer& frame, const Rows& rows) {
+  return clip_command(command, {0, frame.width(), rows.first, rows.end});
 }
 
 // The product of each channel, as a share of 255, times a factor; up to 255.
@@ -186,7 +172,8 @@ class RgbPaint {
 };
 
 template <typename Paint>
-void fill_rectangle(const DrawCommand& command, const Clip& clip, const Paint& paint, FrameBuffer& io_frame) {
+void fill_rectangle(const DrawCommand& command, const OverlayClip& clip, const Paint& paint,
+                    FrameBuffer& io_frame) {
   for (std::int64_t y = clip.y_first; y < clip.y_end; ++y) {
     auto* const row = Paint::row(io_frame, y);
     paint.fill(command.fill, row + clip.x_first, row + clip.x_end);
@@ -196,8 +183,8 @@ void fill_rectangle(const DrawCommand& command, const Clip& clip, const Paint& p
 // Copies the opaque pixels of [x_first, x_end) from the row above, which shows the same pixels of the
 // picture. `source` is the one at x_first, which is shown up to `run_end`.
 template <typename Pixel>
-void copy_row_above(const std::uint8_t* source, std::int64_t run_end, const Clip& clip, std::int64_t scale,
-                    const Pixel* above, Pixel* io_row) {
+void copy_row_above(const std::uint8_t* source, std::int64_t run_end, const OverlayClip& clip,
+                    std::int64_t scale, const Pixel* above, Pixel* io_row) {
   std::int64_t opaque_first = clip.x_first;
   const auto copy_up_to = [&](std::int64_t x) {
     if (opaque_first < x) std::copy(above + opaque_first, above + x, io_row + opaque_first);
@@ -211,7 +198,8 @@ void copy_row_above(const std::uint8_t* source, std::int64_t run_end, const Clip
 }
 
 template <typename Paint>
-void draw_picture(const DrawCommand& command, const Clip& clip, const Paint& paint, FrameBuffer& io_frame) {
+void draw_picture(const DrawCommand& command, const OverlayClip& clip, const Paint& paint,
+                  FrameBuffer& io_frame) {
   const formats::Picture& picture = *command.picture;
   const std::int64_t left = command.area.x, top = command.area.y, scale = command.scale;
   // The first run may begin left of the frame, so it may be shorter than `scale`.
@@ -237,7 +225,8 @@ void draw_picture(const DrawCommand& command, const Clip& clip, const Paint& pai
 
 // Each pixel shows the pixel of the part that is under its center.
 template <typename Paint>
-void draw_stretched(const DrawCommand& command, const Clip& clip, const Paint& paint, FrameBuffer& io_frame) {
+void draw_stretched(const DrawCommand& command, const OverlayClip& clip, const Paint& paint,
+                    FrameBuffer& io_frame) {
   const formats::Picture& picture = *command.picture;
   const auto find_source = [](std::int64_t offset, std::int64_t part, std::int64_t size) {
     return (2 * offset + 1) * part / (2 * size);
@@ -256,70 +245,37 @@ void draw_stretched(const DrawCommand& command, const Clip& clip, const Paint& p
   }
 }
 
-bool is_stretched(const DrawCommand& command) {
-  return command.part_width != 0;
-}
-
 // The texel of the detail under each pixel's center.
 template <typename Paint>
-void draw_detail(const DrawCommand& command, const Clip& clip, const Paint& paint, FrameBuffer& io_frame) {
+void draw_detail(const DrawCommand& command, const OverlayClip& clip, const Paint& paint,
+                 FrameBuffer& io_frame) {
   const formats::Picture& picture = *command.picture;
   const formats::PictureDetail& detail = *picture.detail;
-  const std::int64_t part_width =
-      is_stretched(command) ? command.part_width : command.area.width / command.scale;
-  const std::int64_t part_height =
-      is_stretched(command) ? command.part_height : command.area.height / command.scale;
+  const OverlayPart shown = find_part(command);
   const auto find_texel = [](std::int64_t offset, std::int64_t first, std::int64_t part, std::int64_t size,
                              std::int64_t picture_side, std::int64_t detail_side) {
     return ((2 * offset + 1) * part + 2 * size * first) * detail_side / (2 * size * picture_side);
   };
   for (std::int64_t y = clip.y_first; y < clip.y_end; ++y) {
-    const std::int64_t row_texel = find_texel(y - command.area.y, command.part_y, part_height,
+    const std::int64_t row_texel = find_texel(y - command.area.y, command.part_y, shown.height,
                                               command.area.height, picture.height, detail.height);
     auto* const row = Paint::row(io_frame, y);
     for (std::int64_t x = clip.x_first; x < clip.x_end; ++x) {
       const std::int64_t texel =
-          row_texel * detail.width + find_texel(x - command.area.x, command.part_x, part_width,
+          row_texel * detail.width + find_texel(x - command.area.x, command.part_x, shown.width,
                                                 command.area.width, picture.width, detail.width);
       paint.put_detail(detail, static_cast<std::size_t>(texel), row + x);
     }
   }
 }
 
-void check_stretched(const DrawCommand& command) {
-  const formats::Picture& picture = *command.picture;
-  CHECK(command.part_x >= 0 && command.part_y >= 0 && command.part_width > 0 && command.part_height > 0 &&
-            std::int64_t{command.part_x} + command.part_width <= std::int64_t{picture.width} &&
-            std::int64_t{command.part_y} + command.part_height <= std::int64_t{picture.height},
-        "{}x{} from {},{} of {}x{}", command.part_width, command.part_height, command.part_x, command.part_y,
-        picture.width, picture.height);
-}
-
-// Whole numbers of scaled pixels only, and parts inside their pictures.
-void check_command(const DrawCommand& command) {
-  CHECK(command.area.width >= 0 && command.area.height >= 0, "{}x{}", command.area.width,
-        command.area.height);
-  if (command.picture == nullptr) return;
-  if (is_stretched(command)) return check_stretched(command);
-  CHECK(command.scale >= 1, "scale {}", command.scale);
-  const formats::Picture& picture = *command.picture;
-  const ScreenRect& area = command.area;
-  CHECK(area.width % command.scale == 0 && area.height % command.scale == 0, "{}x{} at scale {}", area.width,
-        area.height, command.scale);
-  CHECK(command.part_x >= 0 && command.part_y >= 0 &&
-            std::int64_t{command.part_x} + area.width / command.scale <= std::int64_t{picture.width} &&
-            std::int64_t{command.part_y} + area.height / command.scale <= std::int64_t{picture.height},
-        "{}x{} from {},{} of {}x{}", area.width / command.scale, area.height / command.scale, command.part_x,
-        command.part_y, picture.width, picture.height);
-}
-
 template <typename Paint>
 void draw_rows(const DrawList& list, const ColorTables& tables, const Rows& rows, FrameBuffer& io_frame) {
   for (const DrawCommand& command : list.commands) {
-    const Clip clip = clip_to_rows(command, io_frame, rows);
+    const OverlayClip clip = clip_to_rows(command, io_frame, rows);
     if (clip.is_empty() || !(command.opacity > 0)) continue;
     const Paint paint(command, tables);
-    if (command.picture != nullptr && command.picture->detail && command.translation == nullptr)
+    if (shows_detail(command))
       draw_detail(command, clip, paint, io_frame);
     else if (command.picture != nullptr && is_stretched(command))
       draw_stretched(command, clip, paint, io_frame);
@@ -333,7 +289,7 @@ void draw_rows(const DrawList& list, const ColorTables& tables, const Rows& rows
 }  // namespace
 
 void draw_overlay(const DrawList& list, const ColorTables& tables, base::Jobs* jobs, FrameBuffer& io_frame) {
-  for (const DrawCommand& command : list.commands) check_command(command);
+  check_commands(list);
   const auto draw =
       io_frame.format() == PixelFormat::kIndexed ? draw_rows<IndexedPaint> : draw_rows<RgbPaint>;
   const std::int64_t height = io_frame.height();
