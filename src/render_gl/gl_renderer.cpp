@@ -4,8 +4,10 @@
 #include "render/frame/resolve_settings.h"
 #include "render/frame/stage_clock.h"
 #include "render/screen/debug_view.h"
+#include "render/screen/draw_overlay.h"
 #include "render_gl/frame/target.h"
 #include "render_gl/models/alias_pass.h"
+#include "render_gl/overlay/overlay_pass.h"
 #include "render_gl/particles/particle_pass.h"
 #include "render_gl/screen/finish_pass.h"
 #include "render_gl/screen/line_pass.h"
@@ -28,6 +30,8 @@ struct Passes {
   ParticlePass particles;
   FinishPass finish;
   LinePass lines;
+  OverlayPass overlay;
+  PresentPass present;
   IndexTables index_tables = {};  // indexed frames only
   Target target = {};
 };
@@ -40,13 +44,17 @@ base::Result<Passes> Passes::make(const Functions& gl, const CacheOptions& cache
   TRY(ParticlePass particles, ParticlePass::make(gl, format));
   TRY(FinishPass finish, FinishPass::make(gl));
   TRY(LinePass lines, LinePass::make(gl));
+  TRY(OverlayPass overlay, OverlayPass::make(gl, format));
+  TRY(PresentPass present, PresentPass::make(gl, format));
   return Passes{format,
                 std::move(world),
                 std::move(models),
                 std::move(sprites),
                 std::move(particles),
                 std::move(finish),
-                std::move(lines)};
+                std::move(lines),
+                std::move(overlay),
+                std::move(present)};
 }
 
 }  // namespace
@@ -66,7 +74,9 @@ struct GlRenderer::State {
   base::Result<render::FrameRecord> build_surfaces(const render::FrameContext& context,
                                                    const render::FrameBuffer& frame);
   base::Status set_format(render::PixelFormat format);
-  base::Status draw(const FrameInput& input, std::uint32_t background, render::FrameBuffer& io_frame);
+  base::Status set_target(const render::FrameBuffer& frame);
+  base::Status draw(const FrameInput& input, std::uint32_t background);
+  base::Status read(render::FrameBuffer& io_frame) const;
 };
 
 // The old ones go first: the card may lack memory for both.
@@ -128,8 +138,16 @@ std::uint32_t find_background(const render::FrameContext& context, const std::ui
 
 base::Result<render::FrameStats> GlRenderer::render(const render::Scene& scene, const render::Settings& asked,
                                                     render::FrameBuffer& io_frame) {
+  TRY(render::FrameStats stats, draw(scene, asked, io_frame));
+  TRY_STATUS(read(io_frame));
+  return stats;
+}
+
+base::Result<render::FrameStats> GlRenderer::draw(const render::Scene& scene, const render::Settings& asked,
+                                                  render::FrameBuffer& io_frame) {
   CHECK(scene.level != nullptr);
   TRY_STATUS(state_->set_format(io_frame.format()));
+  TRY_STATUS(state_->set_target(io_frame));
   const render::Settings settings = render::resolve_settings(asked, scene, io_frame);
   render::FrameCaches& caches = state_->caches;
   caches.prepare(scene, settings);
@@ -153,25 +171,31 @@ base::Result<render::FrameStats> GlRenderer::render(const render::Scene& scene, 
   const std::uint32_t background = find_background(context, fog_rows);
   io_frame.set_palette_tint(context.is_indexed() ? scene.tint : render::Tint());
   render::StageClock clock(record.times);
-  TRY_STATUS(state_->draw(input, background, io_frame));
+  TRY_STATUS(state_->draw(input, background));
   clock.end(render::Stage::kSpans);
-  if (settings.show != render::Show::kDepth)  // which the card keeps
+  if (settings.show != render::Show::kPicture && settings.show != render::Show::kDepth) {  // the card has it
+    TRY_STATUS(state_->read(io_frame));
     render::draw_debug_view(settings.show,
                             {*scene.level, record.view, record.edges, record.spans, record.surfaces.draws},
                             caches.colors.palette, io_frame);
+    state_->passes->target.write(state_->gl, io_frame);
+  }
   render::FrameStats stats = render::collect_frame_stats(record, scene);
   state_->passes->models.count(stats);
   return stats;
 }
 
+base::Status GlRenderer::State::set_target(const render::FrameBuffer& frame) {
+  Target& target = passes->target;
+  if (target.has_layout(frame.width(), frame.height(), frame.format())) return base::Ok{};
+  TRY(target, Target::make(gl, frame.width(), frame.height(), frame.format()));
+  return base::Ok{};
+}
+
 // Brings everything to the card first, then draws in the order of the CPU's stages.
-base::Status GlRenderer::State::draw(const FrameInput& input, std::uint32_t background,
-                                     render::FrameBuffer& io_frame) {
+base::Status GlRenderer::State::draw(const FrameInput& input, std::uint32_t background) {
   using Kind = render::TranslucentLayer::Kind;
   Passes& p = *passes;
-  if (!p.target.has_layout(io_frame.width(), io_frame.height(), p.format)) {
-    TRY(p.target, Target::make(gl, io_frame.width(), io_frame.height(), p.format));
-  }
   TRY_STATUS(p.world.prepare(gl, input));
   TRY_STATUS(p.sprites.prepare(gl, input));
   p.target.begin(gl, background);
@@ -186,9 +210,44 @@ base::Status GlRenderer::State::draw(const FrameInput& input, std::uint32_t back
     TRY_STATUS(p.models.draw_translucent(gl, input, layer, p.target));
   }
   TRY_STATUS(p.finish.draw(gl, input.scene(), p.target));
-  TRY_STATUS(p.lines.draw(gl, input));
-  if (p.format == render::PixelFormat::kIndexed) return p.target.read(gl, io_frame.indexed());
-  return p.target.read(gl, io_frame.rgb());
+  return p.lines.draw(gl, input);
+}
+
+base::Status GlRenderer::State::read(render::FrameBuffer& io_frame) const {
+  const Target& target = passes->target;
+  if (target.format() == render::PixelFormat::kIndexed) return target.read(gl, io_frame.indexed());
+  return target.read(gl, io_frame.rgb());
+}
+
+base::Status GlRenderer::clear(const render::FrameBuffer& frame) {
+  TRY_STATUS(state_->set_format(frame.format()));
+  TRY_STATUS(state_->set_target(frame));
+  const render::ColorTables& colors = state_->caches.colors;
+  const bool is_indexed = frame.format() == render::PixelFormat::kIndexed;
+  state_->passes->target.begin(state_->gl, is_indexed ? 0u : colors.rgb[0]);
+  return base::Ok{};
+}
+
+base::Status GlRenderer::draw_overlay(const render::DrawList& overlay, render::FrameBuffer& io_frame) {
+  Passes& p = *state_->passes;
+  render::FrameCaches& caches = state_->caches;
+  TRY(const bool is_drawn, p.overlay.draw(state_->gl, overlay, caches.colors, p.index_tables, p.target));
+  if (is_drawn) return base::Ok{};
+  TRY_STATUS(state_->read(io_frame));
+  render::draw_overlay(overlay, caches.colors, caches.jobs ? &*caches.jobs : nullptr, io_frame);
+  p.target.write(state_->gl, io_frame);
+  return base::Ok{};
+}
+
+base::Status GlRenderer::read(render::FrameBuffer& io_frame) const {
+  if (!state_->passes ||
+      !state_->passes->target.has_layout(io_frame.width(), io_frame.height(), io_frame.format()))
+    return base::error(base::ErrorCode::kUsage, "nothing has been drawn yet");
+  return state_->read(io_frame);
+}
+
+base::Status GlRenderer::show(const Shown& shown) {
+  return state_->passes->present.draw(state_->gl, state_->passes->target, shown);
 }
 
 void GlRenderer::make_blend_tables() const {

@@ -17,12 +17,14 @@
 
 #include "base/result.h"
 #include "formats/images/palette.h"
+#include "render/draw_list.h"
 #include "render/frame_buffer.h"
 #include "render/frame_stats.h"
 #include "render/scene.h"
 #include "render/settings.h"
 #include "render_gl/cache_options.h"
 #include "render_gl/draw_options.h"
+#include "render_gl/screen/present_pass.h"
 
 namespace temblor::render_gl {
 
@@ -44,12 +46,27 @@ class GlRenderer {
   // How lit faces are drawn from the next frame on, unless the settings' filter needs another method.
   void set_method(WorldMethod method);
 
-  // Draws `scene` and copies the picture to `io_frame`, in its format; its depth stays as it is. A frame of
-  // another format than the last one makes everything again. Fails if the card lacks memory, if the driver
-  // does not accept the shaders of the format, or if the context is lost; then the frame's pixels are
-  // undefined.
+  // Draws `scene`, copies the picture to `io_frame`, and waits for it: draw() and read().
   base::Result<render::FrameStats> render(const render::Scene& scene, const render::Settings& settings,
                                           render::FrameBuffer& io_frame);
+
+  // The steps of a frame that the card shows by itself. The picture stays on the card, and has the size and
+  // the format of `io_frame`, whose depth stays as it is, and whose pixels are changed by debug views only. A
+  // frame of another format than the last one makes everything again. All steps fail if the card lacks
+  // memory, if the driver does not accept the shaders of the format, or if the context is lost; then the
+  // picture is undefined.
+  base::Result<render::FrameStats> draw(const render::Scene& scene, const render::Settings& settings,
+                                        render::FrameBuffer& io_frame);
+  // Begins a picture without a scene, which is black.
+  base::Status clear(const render::FrameBuffer& frame);
+  // Draws over the picture. Waits for the card, and changes the frame's pixels, only if `overlay` has
+  // products of colors, or details of pictures, in an indexed frame.
+  base::Status draw_overlay(const render::DrawList& overlay, render::FrameBuffer& io_frame);
+  // Copies the picture to the frame, and waits for it. Fails with kUsage if there is no picture of the frame's
+  // size and format.
+  base::Status read(render::FrameBuffer& io_frame) const;
+  // Draws the picture into the window of the current context.
+  base::Status show(const Shown& shown);
 
   // Computes what indexed frames need for translucency (Renderer::make_blend_tables).
   void make_blend_tables() const;

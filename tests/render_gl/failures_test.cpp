@@ -34,8 +34,8 @@ class FailingCard : public testing::TestWithParam<render::PixelFormat> {
     scene.underwater = true;
     scene.fog = {.density = 0.1f, .color = {0.8f, 0.5f, 0.2f}};
     scene.liquid_alpha = {.water = 0.5f, .slime = 0.5f, .lava = 0.5f, .teleport = 0.5f};
-    const auto drawn = io_renderer.render(scene, {}, frame);
-    return drawn.ok() ? base::Status(base::Ok{}) : drawn.error();
+    TRY_STATUS(io_renderer.render(scene, {}, frame));
+    return io_renderer.draw_overlay(overlay_, frame);
   }
   // Makes a renderer, draws, and destroys the renderer. Returns the error, or nothing.
   std::string run() {
@@ -55,6 +55,12 @@ class FailingCard : public testing::TestWithParam<render::PixelFormat> {
   }
 
   const test::DrawableLevel level_ = test::small_level();
+  const formats::Picture picture_{4, 2, {1, 2, 3, 4, 5, 6, 7, 255}};
+  // Some of it is translucent, or a sum.
+  const render::DrawList overlay_{
+      {{.picture = &picture_, .area = {0, 0, 4, 2}},
+       {.area = {1, 1, 5, 5}, .opacity = 0.5f},
+       {.picture = &picture_, .area = {2, 2, 8, 4}, .scale = 2, .mode = render::DrawMode::kAdd}}};
   std::unique_ptr<InjectedGl> card_;
   ModelScene scene_;
   WorldMethod method_ = WorldMethod::kLitTextures;

@@ -123,4 +123,16 @@ base::Status Target::read(const Functions& gl, std::span<std::uint8_t> out_pixel
   return gl.check("reading the picture");
 }
 
+void Target::write(const Functions& gl, const render::FrameBuffer& frame) const {
+  CHECK(has_layout(frame.width(), frame.height(), frame.format()));
+  const bool is_indexed = format_ == render::PixelFormat::kIndexed;
+  const void* const pixels =
+      is_indexed ? static_cast<const void*>(frame.indexed().data()) : frame.rgb().data();
+  gl.ActiveTexture(GL_TEXTURE0);
+  gl.BindTexture(GL_TEXTURE_2D, color_texture());
+  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width_, height_, is_indexed ? GL_RED : GL_RGBA, GL_UNSIGNED_BYTE,
+                   pixels);
+}
+
 }  // namespace temblor::render_gl

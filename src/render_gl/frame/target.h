@@ -50,6 +50,8 @@ class Target {
   base::Status read(const Functions& gl, std::span<std::uint32_t> out_pixels) const;
   // The same for indexed pictures.
   base::Status read(const Functions& gl, std::span<std::uint8_t> out_pixels) const;
+  // Replaces the picture by pixels of its format and size.
+  void write(const Functions& gl, const render::FrameBuffer& frame) const;
 
  private:
   struct Picture {

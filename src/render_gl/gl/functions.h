@@ -84,6 +84,7 @@ using FunctionFinder = std::function<void*(const char* name)>;
   X(PFNGLUNIFORM1IPROC, Uniform1i)                             \
   X(PFNGLUNIFORM1UIPROC, Uniform1ui)                           \
   X(PFNGLUNIFORM2FPROC, Uniform2f)                             \
+  X(PFNGLUNIFORM2IPROC, Uniform2i)                             \
   X(PFNGLUNIFORM3FPROC, Uniform3f)                             \
   X(PFNGLUNIFORM4FPROC, Uniform4f)                             \
   X(PFNGLUNIFORM4FVPROC, Uniform4fv)                           \
