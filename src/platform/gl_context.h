@@ -18,4 +18,13 @@ class GlContext {
   virtual void* find_function(const char* name) const = 0;
 };
 
+// A context that draws into a window: framebuffer 0 is the window's.
+class WindowGlContext : public GlContext {
+ public:
+  // Shows what was drawn into the window. With vsync, it may wait for the display.
+  virtual void show() = 0;
+  // Whether the driver draws on the CPU.
+  virtual bool is_software() const = 0;
+};
+
 }  // namespace temblor::platform

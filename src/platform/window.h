@@ -2,11 +2,13 @@
 //
 //   host --present(Picture)--> Window --poll()--> InputEvents --> host
 //
-// The renderer draws into its own memory; the window only copies, scales and presents. Implementations:
+// The CPU renderer draws into its own memory; the window only copies, scales and presents. A renderer on the
+// graphics card may draw into the window instead (open_gl). Implementations:
 // platform/sdl2/window.h for a display, platform/headless/window.h for tests and machines without one.
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,6 +16,7 @@
 
 #include "base/parallel_for.h"
 #include "base/result.h"
+#include "platform/gl_context.h"
 #include "platform/input_event.h"
 
 namespace temblor::platform {
@@ -61,6 +64,10 @@ class Window {
   // Shows the picture, stretched over the whole window. With vsync, it returns when the display has accepted
   // or shown the picture. The jobs share the work of copying.
   virtual base::Status present(const Picture& picture, base::Jobs& jobs) = 0;
+  // A context that draws into the window, current on the calling thread. The caller destroys it before the
+  // window, and before the next present(). Fails with kUnsupported if the window has no OpenGL 3.3 and no
+  // OpenGL ES 3.0.
+  virtual base::Result<std::unique_ptr<WindowGlContext>> open_gl() = 0;
 
   // Hides the pointer and reports relative movement, unaffected by the desktop's acceleration and edges.
   virtual void capture_mouse(bool captured) = 0;

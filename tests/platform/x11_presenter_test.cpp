@@ -16,6 +16,7 @@
 #include <thread>
 #include <vector>
 
+#include "platform/run_on_display.h"
 #include "platform/sdl2/window.h"
 
 namespace temblor::platform::sdl2 {
@@ -25,22 +26,6 @@ using ::testing::HasSubstr;
 
 constexpr PixelSize kSize{640, 400};
 constexpr std::array<std::uint32_t, 3> kColors = {0xffcc2200, 0xff00bb33, 0xff1144dd};
-
-// Runs the test that uses this again on a display of its own, and returns.
-#define RUN_ON_X11_DISPLAY(server_options)                                                              \
-  if (std::system("command -v xvfb-run xauth >/dev/null") != 0)                                         \
-    GTEST_SKIP() << "a display (xvfb, xauth) is not installed";                                         \
-  if (std::getenv("TEMBLOR_TEST_DISPLAY") == nullptr) {                                                 \
-    const std::string self = std::filesystem::read_symlink("/proc/self/exe").string();                  \
-    const ::testing::TestInfo& info = *::testing::UnitTest::GetInstance()->current_test_info();         \
-    const std::string line = "TEMBLOR_TEST_DISPLAY=1 '" TEMBLOR_SOURCE_DIR                              \
-                             "/tests/support/on_display.sh"                                             \
-                             "' '1024x768x24 " +                                                        \
-                             std::string(server_options) + "' '" + self +                               \
-                             "' --gtest_filter=" + info.test_suite_name() + "." + info.name() + " >&2"; \
-    EXPECT_EQ(std::system(line.c_str()), 0);                                                            \
-    return;                                                                                             \
-  }
 
 std::unique_ptr<Window> open_shared(bool vsync) {
   auto window = open_window("Pictures", {.size = kSize, .vsync = vsync}, Presenter::kSharedMemory);
@@ -67,34 +52,6 @@ struct Shower {
     for (int i = 0; i < count; ++i) show(io_window, kColors[static_cast<std::size_t>(i) % kColors.size()]);
     return count / (io_window.now_s() - began_s);
   }
-};
-
-// Reads the pixels in the middle of the screen, where the window is, through a connection of its own.
-class ScreenReader {
- public:
-  static constexpr std::uint16_t kWidth = 600, kHeight = 360;
-
-  ~ScreenReader() { xcb_disconnect(connection_); }
-
-  // Returns each color that the screen shows there.
-  std::set<std::uint32_t> read() {
-    const xcb_screen_t& screen = *xcb_setup_roots_iterator(xcb_get_setup(connection_)).data;
-    const auto left = static_cast<std::int16_t>((screen.width_in_pixels - kWidth) / 2);
-    const auto top = static_cast<std::int16_t>((screen.height_in_pixels - kHeight) / 2);
-    const auto asked =
-        xcb_get_image(connection_, XCB_IMAGE_FORMAT_Z_PIXMAP, screen.root, left, top, kWidth, kHeight, ~0u);
-    const std::unique_ptr<xcb_get_image_reply_t, decltype(&std::free)> image(
-        xcb_get_image_reply(connection_, asked, nullptr), &std::free);
-    if (!image) return {};
-    std::vector<std::uint32_t> pixels(std::size_t{kWidth} * kHeight);
-    std::memcpy(pixels.data(), xcb_get_image_data(image.get()), pixels.size() * sizeof(std::uint32_t));
-    std::set<std::uint32_t> colors;
-    for (const std::uint32_t pixel : pixels) colors.insert(pixel | 0xff000000);
-    return colors;
-  }
-
- private:
-  xcb_connection_t* connection_ = xcb_connect(nullptr, nullptr);
 };
 
 TEST(X11Presenter, VsyncShowsAPicturePerRefresh) {

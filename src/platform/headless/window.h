@@ -3,6 +3,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -24,6 +25,9 @@ class HeadlessWindow : public Window {
   void set_now(double now_s) { set_now_s_ = now_s; }
   // False makes present() fail, like a lost display.
   void set_can_present(bool can_present) { can_present_ = can_present; }
+  // Makes the contexts of open_gl(). Without it, open_gl() fails.
+  using OpenGl = std::function<base::Result<std::unique_ptr<WindowGlContext>>()>;
+  void set_open_gl(OpenGl open_gl) { open_gl_ = std::move(open_gl); }
   // The pixels of the last picture, and the number of pictures so far.
   const std::vector<std::uint32_t>& shown() const { return shown_; }
   PixelSize shown_size() const { return shown_size_; }
@@ -45,6 +49,10 @@ class HeadlessWindow : public Window {
   PixelSize size() const override { return settings_.size; }
   bool is_visible() const override { return true; }
   base::Status present(const Picture& picture, base::Jobs& jobs) override;
+  base::Result<std::unique_ptr<WindowGlContext>> open_gl() override {
+    if (open_gl_) return open_gl_();
+    return base::error(base::ErrorCode::kUnsupported, "there is no display");
+  }
   void capture_mouse(bool captured) override { captured_ = captured; }
   void take_text(bool wanted) override { takes_text_ = wanted; }
   std::string clipboard() const override { return clipboard_; }
@@ -57,6 +65,7 @@ class HeadlessWindow : public Window {
 
  private:
   WindowSettings settings_;
+  OpenGl open_gl_;
   std::vector<InputEvent> events_;
   std::optional<double> set_now_s_;
   std::vector<std::uint32_t> shown_;

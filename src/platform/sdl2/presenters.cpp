@@ -5,6 +5,7 @@
 #include <array>
 #include <string_view>
 
+#include "platform/sdl2/gl_context.h"
 #include "platform/sdl2/library.h"
 #include "platform/sdl2/picture_surface.h"
 
@@ -82,21 +83,11 @@ class RendererPresenter : public PicturePresenter {
   bool has_vsync_ = false;
 };
 
-// SDL reports every OpenGL renderer as accelerated, even Mesa's renderers on the CPU, so the driver's name
-// must tell.
+// SDL reports every OpenGL renderer as accelerated, even Mesa's renderers on the CPU.
 bool is_software(SDL_Renderer* renderer) {
   SDL_RendererInfo info;
   if (SDL_GetRendererInfo(renderer, &info) != 0 || (info.flags & SDL_RENDERER_ACCELERATED) == 0) return true;
-  using GetString = const GLubyte*(APIENTRY*)(GLenum);
-  const auto get_string = reinterpret_cast<GetString>(SDL_GL_GetProcAddress("glGetString"));
-  if (SDL_GL_GetCurrentContext() == nullptr || get_string == nullptr) return false;
-  const GLubyte* const name = get_string(GL_RENDERER);
-  if (name == nullptr) return false;
-  const std::string_view renderer_name = reinterpret_cast<const char*>(name);
-  constexpr std::array<std::string_view, 4> kSoftware = {"llvmpipe", "softpipe", "swrast", "SwiftShader"};
-  for (const std::string_view software : kSoftware)
-    if (renderer_name.find(software) != std::string_view::npos) return true;
-  return false;
+  return SDL_GL_GetCurrentContext() != nullptr && has_software_driver();
 }
 
 }  // namespace

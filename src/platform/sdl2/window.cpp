@@ -8,6 +8,7 @@
 
 #include "platform/sdl2/events/event_times.h"
 #include "platform/sdl2/gamepads.h"
+#include "platform/sdl2/gl_context.h"
 #include "platform/sdl2/keys.h"
 #include "platform/sdl2/library.h"
 #include "platform/sdl2/presenters.h"
@@ -26,11 +27,41 @@ int find_display(int wished) {
   return wished >= 0 && wished < SDL_GetNumVideoDisplays() ? wished : 0;
 }
 
+// A renderer on hardware, then shared memory, with vsync if possible, then any renderer (Wayland without
+// graphics hardware). Null: none of them works.
+std::unique_ptr<PicturePresenter> choose_presenter(SDL_Window* window, Presenter wanted) {
+  std::unique_ptr<PicturePresenter> pictures;
+  if (wanted != Presenter::kSharedMemory)
+    pictures = make_renderer_presenter(window, wanted == Presenter::kAuto);
+  if (!pictures) pictures = make_x11_presenter(window);
+  if (!pictures) pictures = make_surface_presenter(window);
+  if (!pictures) pictures = make_renderer_presenter(window, false);
+  return pictures;
+}
+
+// With OpenGL, if the display has it: a window cannot get it later. Programs that show pictures through
+// shared memory do not load the driver.
+WindowHandle create_window(const std::string& title, const WindowSettings& settings, Presenter presenter) {
+  const int place =
+      static_cast<int>(SDL_WINDOWPOS_CENTERED_DISPLAY(static_cast<unsigned>(find_display(settings.display))));
+  const auto create = [&](Uint32 more_flags) {
+    return WindowHandle(SDL_CreateWindow(title.c_str(), place, place, settings.size.width,
+                                         settings.size.height,
+                                         SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI | more_flags));
+  };
+  WindowHandle window;
+  if (presenter != Presenter::kSharedMemory) window = create(SDL_WINDOW_OPENGL);
+  if (!window) window = create(0);
+  return window;
+}
+
 class SdlWindow : public Window {
  public:
-  SdlWindow(Subsystem subsystem, WindowHandle window, std::unique_ptr<PicturePresenter> presenter)
+  SdlWindow(Subsystem subsystem, WindowHandle window, Presenter wanted,
+            std::unique_ptr<PicturePresenter> presenter)
       : subsystem_(std::move(subsystem)),
         window_(std::move(window)),
+        wanted_presenter_(wanted),
         presenter_(std::move(presenter)),
         event_times_(window_.get()) {
     SDL_StopTextInput();
@@ -50,9 +81,8 @@ class SdlWindow : public Window {
   bool is_visible() const override {
     return (SDL_GetWindowFlags(window_.get()) & (SDL_WINDOW_MINIMIZED | SDL_WINDOW_HIDDEN)) == 0;
   }
-  base::Status present(const Picture& picture, base::Jobs& jobs) override {
-    return presenter_->present(picture, jobs);
-  }
+  base::Status present(const Picture& picture, base::Jobs& jobs) override;
+  base::Result<std::unique_ptr<WindowGlContext>> open_gl() override;
   void capture_mouse(bool captured) override;
   void take_text(bool wanted) override { wanted ? SDL_StartTextInput() : SDL_StopTextInput(); }
   std::string clipboard() const override;
@@ -61,7 +91,9 @@ class SdlWindow : public Window {
   double refresh_rate_hz() const override;
   std::vector<PixelSize> full_screen_sizes(int display) const override;
   int displays() const override { return std::max(1, SDL_GetNumVideoDisplays()); }
-  std::string describe() const override { return presenter_->describe(); }
+  std::string describe() const override {
+    return presenter_ ? presenter_->describe() : describe_gl(gl_window_);
+  }
 
  private:
   // Translates one SDL event and appends the result, if any.
@@ -72,7 +104,10 @@ class SdlWindow : public Window {
   // Members are destroyed in reverse order: the presenter before its window, the window before SDL.
   Subsystem subsystem_;
   WindowHandle window_;
+  Presenter wanted_presenter_;
+  // Null while a context of OpenGL draws into the window, and until the next picture.
   std::unique_ptr<PicturePresenter> presenter_;
+  GlWindow gl_window_{window_.get()};
   Gamepads gamepads_;
   EventTimes event_times_;
   bool captured_ = false;
@@ -80,8 +115,24 @@ class SdlWindow : public Window {
 
 base::Status SdlWindow::apply(const WindowSettings& settings) {
   TRY_STATUS(set_mode(settings));
-  presenter_->set_vsync(settings.vsync);
+  gl_window_.vsync = settings.vsync;
+  if (presenter_) presenter_->set_vsync(settings.vsync);
   return base::Ok{};
+}
+
+base::Status SdlWindow::present(const Picture& picture, base::Jobs& jobs) {
+  if (!presenter_) {
+    presenter_ = choose_presenter(window_.get(), wanted_presenter_);
+    if (!presenter_) return sdl_error("showing pictures in the window");
+    presenter_->set_vsync(gl_window_.vsync);
+  }
+  return presenter_->present(picture, jobs);
+}
+
+// The presenter may have a context for the same window.
+base::Result<std::unique_ptr<WindowGlContext>> SdlWindow::open_gl() {
+  presenter_.reset();
+  return make_gl_context(gl_window_);
 }
 
 base::Status SdlWindow::set_mode(const WindowSettings& settings) {
@@ -231,21 +282,12 @@ base::Result<std::unique_ptr<Window>> open_window(const std::string& title, cons
   const bool is_wanted = std::getenv("SDL_VIDEODRIVER") != nullptr;
   if (!is_wanted && (driver == "offscreen" || driver == "dummy" || driver == "evdev"))
     return base::error(base::ErrorCode::kNotFound, "no X11 or Wayland display");
-  const int place =
-      static_cast<int>(SDL_WINDOWPOS_CENTERED_DISPLAY(static_cast<unsigned>(find_display(settings.display))));
-  WindowHandle window(SDL_CreateWindow(title.c_str(), place, place, settings.size.width, settings.size.height,
-                                       SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI));
+  WindowHandle window = create_window(title, settings, presenter);
   if (!window) return sdl_error("opening a window");
-  // A renderer on hardware, then shared memory, with vsync if possible, then any renderer (Wayland without
-  // graphics hardware).
-  std::unique_ptr<PicturePresenter> pictures;
-  if (presenter != Presenter::kSharedMemory)
-    pictures = make_renderer_presenter(window.get(), presenter == Presenter::kAuto);
-  if (!pictures) pictures = make_x11_presenter(window.get());
-  if (!pictures) pictures = make_surface_presenter(window.get());
-  if (!pictures) pictures = make_renderer_presenter(window.get(), false);
+  std::unique_ptr<PicturePresenter> pictures = choose_presenter(window.get(), presenter);
   if (!pictures) return sdl_error("showing pictures in the window");
-  auto opened = std::make_unique<SdlWindow>(std::move(subsystem), std::move(window), std::move(pictures));
+  auto opened =
+      std::make_unique<SdlWindow>(std::move(subsystem), std::move(window), presenter, std::move(pictures));
   TRY_STATUS(opened->apply(settings));
   return std::unique_ptr<Window>(std::move(opened));
 }
