@@ -26,6 +26,7 @@ namespace {
 constexpr std::array<std::string_view, 3> kModes = {"window", "borderless", "fullscreen"};
 // The first one is true color, the default.
 constexpr std::array<std::string_view, 2> kRenderers = {"cpu", "gl"};
+constexpr std::array<std::string_view, 3> kGlWindowUses = {"auto", "on", "off"};  // GlWindowUse
 constexpr std::array<std::string_view, 2> kColors = {"rgb", "indexed"};
 
 // Settings that would confuse a player who finds them again the next day.
@@ -58,7 +59,7 @@ struct HostVariables::Registered {
   command::VariableIndex width, height, mode, display, vsync, color, scale, automatic_scale, target_fps,
       max_fps, time_scale, gamma, contrast, brightness, fov, zoom_fov, zoom_speed, name, shirt, pants, rumble,
       parallel, show_speed, show_latency, show_clock, show_player_speed, show_renderer, technique, renderer,
-      stuffed_text, max_players, port, start_demos, pause_unfocused, mute_unfocused;
+      gl_window, stuffed_text, max_players, port, start_demos, pause_unfocused, mute_unfocused;
   std::vector<std::string> saved;  // the names of the player's own variables
 };
 
@@ -78,6 +79,10 @@ HostVariables::Registered::Registered(command::Variables& variables)
       variables.add_bool("snd_muteunfocused", true, "Mutes all sound while another window is in use.");
   renderer =
       variables.add_choice("vid_renderer", kRenderers, "Renderer of the view: the CPU, or OpenGL (gl).");
+  gl_window =
+      variables.add_choice("vid_gl_window", kGlWindowUses,
+                           "OpenGL draws into the window (on), or its picture is copied to the window "
+                           "(off); auto: copied if the driver is software.");
   color = variables.add_choice(
       "vid_color", kColors,
       "Color mode: true color (rgb), or the 256 colors of the game's palette (indexed).");
@@ -209,6 +214,10 @@ ReadoutSettings HostVariables::readouts() const {
 
 bool HostVariables::uses_gl() const {
   return variables_->choice_value(registered_->renderer) == 1;
+}
+
+GlWindowUse HostVariables::gl_window() const {
+  return static_cast<GlWindowUse>(variables_->choice_value(registered_->gl_window));
 }
 
 std::size_t HostVariables::technique() const {

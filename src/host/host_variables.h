@@ -37,6 +37,7 @@ class Overrides;
 struct ReadoutSettings;
 enum class StuffedTextRule;
 struct ScreenSettings;
+enum class GlWindowUse;
 
 struct ZoomSettings {
   float fov_deg = 90, zoom_fov_deg = 30;  // without and with +zoom
@@ -74,6 +75,7 @@ class HostVariables {
   ReadoutSettings readouts() const;
   // Whether OpenGL draws the view, not the CPU.
   bool uses_gl() const;
+  GlWindowUse gl_window() const;
   // The number of the technique in lab::list_techniques(); 0 is the engine itself.
   std::size_t technique() const;
   StuffedTextRule stuffed_text() const;

@@ -68,6 +68,14 @@ class PlaySession {
   int status_ = -1;
 };
 
+// The share of channels that differ by at most 2; 0 if the sizes differ.
+double equal_bytes(const Png& a, const Png& b) {
+  if (a.rgb.size() != b.rgb.size()) return 0;
+  std::size_t equal = 0;
+  for (std::size_t i = 0; i < a.rgb.size(); ++i) equal += std::abs(a.rgb[i] - b.rgb[i]) <= 2;
+  return static_cast<double>(equal) / static_cast<double>(a.rgb.size());
+}
+
 TEST(PlayProgram, PlaysASession) {
   DATA_FOLDER_OR_SKIP(data);
   SKIP_WITHOUT_DISPLAY();
@@ -122,6 +130,41 @@ wait $game; echo "ended with $?"
   const Png bound = session.picture("bound");
   EXPECT_EQ(bound.width, 800u);
   EXPECT_EQ(bound.height, 600u);
+}
+
+// OpenGL in the window of the game: the CPU's picture, before and after the window changes.
+TEST(PlayProgram, PlaysThroughOpenGl) {
+  DATA_FOLDER_OR_SKIP(data);
+  SKIP_WITHOUT_DISPLAY();
+  PlaySession session(data);
+  session.write("evening/still.cfg", R"(
+vid_gl_window on; con_notifylines 0; notarget; host_timescale 0.001
+)");
+  const std::string out = session.run(R"(
+type() { xdotool key grave; sleep 0.6; xdotool type --delay 20 "$1"; xdotool key Return; sleep 0.5; xdotool key grave; sleep 1; }
+PLAY --size 640x480 --map start --exec "exec still.cfg" & game=$!
+xdotool search --sync --name Temblor >/dev/null; sleep 3
+type "screenshot cpu"
+type "vid_renderer gl"
+type "screenshot gl"
+xdotool key alt+Return; sleep 1
+type "screenshot full"
+xdotool key alt+Return; sleep 1
+type "vid_width 800; vid_height 600"
+type "screenshot large"
+type "vid_renderer cpu"
+type "screenshot cpu_again"
+xdotool key grave; sleep 0.6; xdotool type quit; xdotool key Return
+wait $game; echo "ended with $?"
+)");
+  EXPECT_THAT(out, HasSubstr("ended with 0"));
+  EXPECT_THAT(out, Not(HasSubstr("the CPU draws")));
+  const Png cpu = session.picture("cpu"), gl = session.picture("gl"), full = session.picture("full"),
+            large = session.picture("large"), cpu_again = session.picture("cpu_again");
+  EXPECT_GE(equal_bytes(cpu, gl), 0.98);
+  EXPECT_EQ(full.width, 1024u);
+  EXPECT_GT(count_colors(full), 300u);
+  EXPECT_GE(equal_bytes(large, cpu_again), 0.98);
 }
 
 // SDL has no window surface there, and this machine has no graphics hardware, so frames are shown in a third

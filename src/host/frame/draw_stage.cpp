@@ -10,12 +10,12 @@
 #include "host/frame/corner_readouts.h"
 #include "host/frame/debug_shapes.h"
 #include "host/frame/entity_boxes.h"
+#include "host/frame/frame_painter.h"
 #include "host/frame/frame_stages.h"
 #include "host/frame/host_parts.h"
 #include "host/frame/hud_program_stage.h"
 #include "host/frame/presentation_settings.h"
 #include "host/session/games.h"
-#include "lab/registry.h"
 
 namespace temblor::host {
 namespace {
@@ -27,7 +27,6 @@ const client::ClientState* find_shown_state(const Host& host) {
   return connection != nullptr ? &connection->state() : nullptr;
 }
 
-constexpr std::uint8_t kBlack = 0;
 constexpr double kDemoBarVisible_s = 3;
 
 // The variables that drawing needs. They are read before a server tick starts in parallel, because the game's
@@ -97,86 +96,25 @@ void add_overlays(Host& io_host, const DrawSettings& settings, const render::Fra
   add_readouts(io_host, settings, stats, width, height);
 }
 
-// Gives the renderer the stages of r_technique, or the engine's if the technique cannot draw the level. Then
-// it sets r_technique, so it must not run in parallel with a server tick.
-void update_technique(Host& io_host) {
-  if (!has_view(io_host)) return;
-  GameData& data = *io_host.game.data;
-  const world::Level& level = *data.presentation.scene().level;
-  std::size_t technique = io_host.variables.technique();
-  if (technique == data.technique && level.identity == data.technique_level) return;
-  data.technique_level = level.identity;
-  if (const base::Status status = lab::make_default_choice(technique).check_level(level); !status.ok()) {
-    print_if_error(io_host, status);
-    technique = 0;
-    const std::string engine(lab::list_techniques()[technique].name);
-    print_if_error(io_host, io_host.variables.variables().set("r_technique", engine));
-  }
-  if (technique == data.technique) return;
-  data.technique = technique;
-  data.renderer.replace_stages(lab::make_default_choice(technique).make_stages());
-}
-
-// Turns OpenGL on or off as `vid_renderer` says. If it fails, says why, and sets the variable back, so it
-// must not run in parallel with a server tick.
-void update_renderer(Host& io_host) {
-  GameData& data = *io_host.game.data;
-  if (!io_host.variables.uses_gl()) {
-    data.gl_view.reset();
-    data.gl_failure.reset();
-    return;
-  }
-  if (!data.gl_view && !data.gl_failure) {
-    auto made = GlView::make(io_host.services.open_gl, data.look);
-    if (made.ok())
-      data.gl_view = std::move(made).value();
-    else
-      data.gl_failure = made.error();
-  }
-  if (!data.gl_failure) return;
-  print_line(io_host, fmt::format("{}; the CPU draws", data.gl_failure->message()));
-  print_if_error(io_host, io_host.variables.variables().set("vid_renderer", "cpu"));
-  data.gl_view.reset();
-  data.gl_failure.reset();
-}
-
-// Techniques of the laboratory replace the CPU's stages, so they draw on the CPU.
-render::FrameStats draw_view(GameData& io_data, const render::Settings& settings,
-                             render::FrameBuffer& io_frame) {
-  const render::Scene& scene = io_data.presentation.scene();
-  if (io_data.gl_view && io_data.technique == 0) {
-    const base::Result<render::FrameStats> drawn = io_data.gl_view->draw(scene, settings, io_frame);
-    if (drawn.ok()) return *drawn;
-    io_data.gl_failure = drawn.error();
-    // It must not be used again; the next frame drops it.
-  }
-  return io_data.renderer.render(scene, settings, io_frame);
-}
-
-void make_blend_tables(const GameData& data) {
-  data.renderer.make_blend_tables();
-  if (data.gl_view) data.gl_view->make_blend_tables();
-}
-
 // Draws the view and the overlay on top, or a black background if there is no view or the console covers it.
 void draw_frame(Host& io_host, const DrawSettings& settings, render::FrameBuffer& io_frame) {
-  GameData& data = *io_host.game.data;
   render::DrawList& overlay = io_host.video.overlay;
   render::FrameStats stats;
   overlay.clear();
   if (has_view(io_host) && !io_host.console.ui.covers_frame()) {
-    // The first view of a session appears after a level has loaded, so nobody notices this wait.
-    if (io_frame.format() == render::PixelFormat::kIndexed) make_blend_tables(data);
-    stats = draw_view(data, settings.render, io_frame);
+    stats = paint_view(io_host, settings.render, io_frame);
     // Before the overlay is drawn, so that the picture shows neither the menu nor the status bar.
-    if (!io_host.saves.picture_request.empty()) write_save_picture(io_host, io_frame);
-    overlay = data.presentation.draw_list(*find_shown_state(io_host), io_frame.width(), io_frame.height(),
-                                          io_host.video.presentation_settings);
+    if (!io_host.saves.picture_request.empty()) {
+      read_view(io_host, io_frame);
+      write_save_picture(io_host, io_frame);
+    }
+    overlay = io_host.game.data->presentation.draw_list(
+        *find_shown_state(io_host), io_frame.width(), io_frame.height(), io_host.video.presentation_settings);
   } else {
-    overlay.commands.push_back({.area = {0, 0, io_frame.width(), io_frame.height()}, .fill = kBlack});
+    paint_nothing(io_host, io_frame);
   }
   add_overlays(io_host, settings, stats, io_frame.width(), io_frame.height());
-  data.renderer.draw_overlay(overlay, io_frame, stats);
+  paint_overlay(io_host, overlay, io_frame, stats);
 }
 
 }  // namespace
@@ -202,13 +140,13 @@ void draw_and_show(Host& io_host) {
   Session& session = *io_host.game.session;
   FrameTimes& times = io_host.timing.measured;
   const double start_s = window.now_s();
+  update_technique(io_host);
   update_renderer(io_host);
   const ScreenSettings screen_settings = variables.screen();
   render::FrameBuffer& frame = io_host.video.screen.begin(window.size(), screen_settings);
   const auto step = [&io_host, &session, halted = is_halted(io_host)] {
     session.step_server(io_host.timing.now_s, halted);
   };
-  update_technique(io_host);
   DrawSettings settings{variables.render(), variables.console(), variables.readouts(),
                         io_host.video.presentation_settings.hud.size};
   forbid_cheats(io_host, settings.render);
@@ -221,8 +159,8 @@ void draw_and_show(Host& io_host) {
   if (is_parallel) io_host.worker.begin(step);
   draw_frame(io_host, settings, frame);
   times.drawing_s = window.now_s() - start_s;
-  const base::Status shown =
-      io_host.video.screen.show(io_host.game.data->look.palette, screen_settings, times.drawing_s, window);
+  io_host.video.screen.update_scale(screen_settings, times.drawing_s);
+  const base::Status shown = show_frame(io_host, screen_settings);
   const double shown_s = window.now_s();
   times.present_s = shown_s - start_s - times.drawing_s;
   times.latency_s = io_host.input.oldest_event_s ? shown_s - *io_host.input.oldest_event_s : 0;

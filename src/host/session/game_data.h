@@ -39,6 +39,7 @@ struct GameData {
   render::Renderer renderer;
   // Draws the view while `vid_renderer` is gl; null: the CPU draws.
   std::unique_ptr<GlView> gl_view;
+  GlWindowUse gl_window_use = GlWindowUse::kAuto;  // that it was made for
   // Set if OpenGL failed while a frame was drawn: why. The next frame reports it.
   std::optional<base::Error> gl_failure;
   // The technique whose stages the renderer has; see HostVariables::technique().

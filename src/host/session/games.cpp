@@ -4,6 +4,7 @@
 
 #include "base/text.h"
 #include "formats/images/png.h"
+#include "host/frame/frame_painter.h"
 #include "host/frame/host_parts.h"
 #include "host/lockstep/lockstep_games.h"
 #include "host/session/configure.h"
@@ -150,11 +151,10 @@ base::Status write_screenshot(Host& io_host, std::string_view file) {
     if (!std::filesystem::exists(path, ignored)) break;
   }
   if (!path.has_extension()) path += ".png";
-  const Screen& screen = io_host.video.screen;
-  const std::span<const std::uint32_t> pixels = screen.pixels();
-  if (pixels.empty()) return base::error(base::ErrorCode::kUsage, "screenshot: nothing has been drawn yet");
-  TRY(const base::ByteVector png,
-      formats::write_png(pixels, screen.frame().width(), screen.frame().height()));
+  const auto pixels = find_shown_pixels(io_host);
+  if (!pixels.ok()) return base::error(pixels.error().code, "screenshot: {}", pixels.error().what);
+  const render::FrameBuffer& frame = io_host.video.screen.frame();
+  TRY(const base::ByteVector png, formats::write_png(*pixels, frame.width(), frame.height()));
   TRY_STATUS(io_host.services.write_file(path, png));
   print_line(io_host, fmt::format("Screenshot saved: {}", io_host.game.data->shorten_path(path)));
   return base::Ok{};

@@ -2,32 +2,57 @@
 
 namespace temblor::host {
 
-base::Result<std::unique_ptr<GlView>> GlView::make(const OpenGl& open_gl, const assets::Look& look) {
-  if (!open_gl) return base::error(base::ErrorCode::kUnsupported, "this program has no OpenGL");
+namespace {
+
+base::Result<render_gl::GlRenderer> make_gl_renderer(const platform::GlContext& context,
+                                                     const assets::Look& look) {
+  const auto find = [&context](const char* name) { return context.find_function(name); };
+  return render_gl::GlRenderer::make(find, look.palette, look.colormap);
+}
+
+}  // namespace
+
+base::Result<std::unique_ptr<GlView>> GlView::make(platform::Window& window, GlWindowUse use,
+                                                   const OpenGl& open_gl, const assets::Look& look) {
   std::unique_ptr<GlView> view(new GlView);
+  if (use != GlWindowUse::kOff && view->open_in_window(window, use, look).ok()) return view;
+  view.reset(new GlView);
+  TRY_STATUS(view->open_alone(open_gl, look));
+  return view;
+}
+
+base::Status GlView::open_in_window(platform::Window& window, GlWindowUse use, const assets::Look& look) {
+  TRY(window_context_, window.open_gl());
+  if (use == GlWindowUse::kAuto && window_context_->is_software())
+    return base::error(base::ErrorCode::kUnsupported, "the driver is software");
+  TRY(renderer_, make_gl_renderer(*window_context_, look));
+  return base::Ok{};
+}
+
+base::Status GlView::open_alone(const OpenGl& open_gl, const assets::Look& look) {
+  if (!open_gl) return base::error(base::ErrorCode::kUnsupported, "this program has no OpenGL");
   const auto open = [&]() -> base::Status {
-    TRY(view->context_, open_gl());
-    const auto find = [context = view->context_.get()](const char* name) {
-      return context->find_function(name);
-    };
-    TRY(view->renderer_, render_gl::GlRenderer::make(find, look.palette, look.colormap));
+    TRY(context_, open_gl());
+    TRY(renderer_, make_gl_renderer(*context_, look));
     return base::Ok{};
   };
+  thread_.emplace();
   base::Status opened = base::Ok{};
-  view->run([&] { opened = open(); });
-  if (!opened.ok()) return opened.error();
-  return view;
+  run([&] { opened = open(); });
+  return opened;
 }
 
 GlView::~GlView() {
   run([this] {
     renderer_.reset();
     context_.reset();
+    window_context_.reset();
   });
 }
 
 base::Result<render::FrameStats> GlView::draw(const render::Scene& scene, const render::Settings& settings,
                                               render::FrameBuffer& io_frame) {
+  if (draws_into_window()) return renderer_->draw(scene, settings, io_frame);
   base::Result<render::FrameStats> drawn = render::FrameStats{};
   run([&] { drawn = renderer_->render(scene, settings, io_frame); });
   return drawn;
@@ -37,9 +62,16 @@ void GlView::make_blend_tables() const {
   renderer_->make_blend_tables();
 }
 
+base::Status GlView::show(const render_gl::Shown& shown) {
+  TRY_STATUS(renderer_->show(shown));
+  window_context_->show();
+  return base::Ok{};
+}
+
 void GlView::run(std::function<void()> work) {
-  thread_.begin(std::move(work));
-  thread_.wait();
+  if (!thread_) return work();
+  thread_->begin(std::move(work));
+  thread_->wait();
 }
 
 }  // namespace temblor::host

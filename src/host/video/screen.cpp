@@ -27,19 +27,21 @@ render::FrameBuffer& Screen::begin(platform::PixelSize window_size, const Screen
 }
 
 // Applies the tone to a true-color frame in place, so it must be drawn again before it is shown again.
-base::Status Screen::show(const formats::Palette& palette, const ScreenSettings& settings, double drawing_s,
-                          platform::Window& io_window) {
-  if (settings.automatic_scale) automatic_.update(drawing_s, settings.target_s);
-  const ToneTable table = make_tone_table(settings.tone);
+void Screen::finish(const formats::Palette& palette, const Tone& tone) {
+  const ToneTable table = make_tone_table(tone);
   shown_ = std::as_const(frame_).rgb();
   if (frame_.format() == render::PixelFormat::kIndexed) {
     expanded_.resize(frame_.pixel_count());
     render::present(frame_, apply_tone(table, render::shown_palette(frame_, palette)), true, jobs_,
                     expanded_);
     shown_ = expanded_;
-  } else if (!settings.tone.is_neutral()) {
+  } else if (!tone.is_neutral()) {
     apply_tone(table, jobs_, frame_.rgb());
   }
+}
+
+base::Status Screen::show(const formats::Palette& palette, const Tone& tone, platform::Window& io_window) {
+  finish(palette, tone);
   return io_window.present({shown_, {frame_.width(), frame_.height()}}, jobs_);
 }
 

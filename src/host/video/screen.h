@@ -2,7 +2,11 @@
 //
 //   begin()   window size * scale -> frame buffer
 //             (the renderer draws into it)
-//   show()    palette (indexed frames only) -> tone -> Window::present(), which scales it up
+//   show()    finish(): palette (indexed frames only) -> tone
+//             -> Window::present(), which scales it up
+//
+// OpenGL may draw into the window itself; then the frame buffer has pixels only if somebody wants to read
+// them, and finish() applies the tone to those.
 //
 // The tone is applied to the palette of an indexed frame, 256 colors, but to each pixel of a true-color
 // frame.
@@ -35,13 +39,18 @@ class Screen {
   // are lost when the size or the format changes, and kept otherwise. It belongs to this object.
   render::FrameBuffer& begin(platform::PixelSize window_size, const ScreenSettings& settings);
   const render::FrameBuffer& frame() const { return frame_; }
+  render::FrameBuffer& frame() { return frame_; }
   // The pixels that were last shown, 0xffRRGGBB, with the size of frame(). Empty before the first show() and
   // after a change of the size. Valid until the next begin().
   std::span<const std::uint32_t> pixels() const { return shown_; }
-  // Shows the frame. `drawing_s` is the time that drawing took, for the automatic scale. Fails if the window
-  // is lost.
-  base::Status show(const formats::Palette& palette, const ScreenSettings& settings, double drawing_s,
-                    platform::Window& io_window);
+  // Adapts the automatic scale to the time that drawing took.
+  void update_scale(const ScreenSettings& settings, double drawing_s) {
+    if (settings.automatic_scale) automatic_.update(drawing_s, settings.target_s);
+  }
+  // Makes pixels() from the frame.
+  void finish(const formats::Palette& palette, const Tone& tone);
+  // Finishes and shows the frame. Fails if the window is lost.
+  base::Status show(const formats::Palette& palette, const Tone& tone, platform::Window& io_window);
   float scale() const { return scale_; }
 
  private:

@@ -63,7 +63,7 @@ TEST(Screen, DrawsAtTheResolutionScale) {
   Screen screen;
   const ScreenSettings settings{.scale = 0.75f};
   EXPECT_EQ(screen.begin(window.size(), settings).width(), 480);
-  ASSERT_TRUE(screen.show({}, settings, 0.01, window).ok());
+  ASSERT_TRUE(screen.show({}, {}, window).ok());
   EXPECT_EQ(window.shown_size(), (platform::PixelSize{480, 300}));
 }
 
