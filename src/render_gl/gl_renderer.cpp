@@ -6,6 +6,7 @@
 #include "render/screen/debug_view.h"
 #include "render/screen/draw_overlay.h"
 #include "render_gl/frame/target.h"
+#include "render_gl/gl/card_timer.h"
 #include "render_gl/models/alias_pass.h"
 #include "render_gl/overlay/overlay_pass.h"
 #include "render_gl/particles/particle_pass.h"
@@ -62,9 +63,10 @@ base::Result<Passes> Passes::make(const Functions& gl, const CacheOptions& cache
 // The functions come first, since everything below refers to them.
 struct GlRenderer::State {
   State(const Functions& functions, render::ColorTables colors, const CacheOptions& options)
-      : gl(functions), caches(std::move(colors)), cache(options) {}
+      : gl(functions), timer(gl), caches(std::move(colors)), cache(options) {}
 
   const Functions gl;
+  CardTimer timer;
   render::FrameCaches caches;
   const CacheOptions cache;
   std::optional<Passes> passes;  // of the last frame's format; none after a failure
@@ -76,7 +78,7 @@ struct GlRenderer::State {
   base::Status set_format(render::PixelFormat format);
   base::Status set_target(const render::FrameBuffer& frame);
   base::Status draw(const FrameInput& input, std::uint32_t background);
-  base::Status read(render::FrameBuffer& io_frame) const;
+  base::Status read(render::FrameBuffer& io_frame);
 };
 
 // The old ones go first: the card may lack memory for both.
@@ -196,6 +198,7 @@ base::Status GlRenderer::State::set_target(const render::FrameBuffer& frame) {
 base::Status GlRenderer::State::draw(const FrameInput& input, std::uint32_t background) {
   using Kind = render::TranslucentLayer::Kind;
   Passes& p = *passes;
+  timer.begin(gl);
   TRY_STATUS(p.world.prepare(gl, input));
   TRY_STATUS(p.sprites.prepare(gl, input));
   p.target.begin(gl, background);
@@ -213,7 +216,8 @@ base::Status GlRenderer::State::draw(const FrameInput& input, std::uint32_t back
   return p.lines.draw(gl, input);
 }
 
-base::Status GlRenderer::State::read(render::FrameBuffer& io_frame) const {
+base::Status GlRenderer::State::read(render::FrameBuffer& io_frame) {
+  timer.end(gl);
   const Target& target = passes->target;
   if (target.format() == render::PixelFormat::kIndexed) return target.read(gl, io_frame.indexed());
   return target.read(gl, io_frame.rgb());
@@ -224,6 +228,7 @@ base::Status GlRenderer::clear(const render::FrameBuffer& frame) {
   TRY_STATUS(state_->set_target(frame));
   const render::ColorTables& colors = state_->caches.colors;
   const bool is_indexed = frame.format() == render::PixelFormat::kIndexed;
+  state_->timer.begin(state_->gl);
   state_->passes->target.begin(state_->gl, is_indexed ? 0u : colors.rgb[0]);
   return base::Ok{};
 }
@@ -247,11 +252,17 @@ base::Status GlRenderer::read(render::FrameBuffer& io_frame) const {
 }
 
 base::Status GlRenderer::show(const Shown& shown) {
-  return state_->passes->present.draw(state_->gl, state_->passes->target, shown);
+  const base::Status drawn = state_->passes->present.draw(state_->gl, state_->passes->target, shown);
+  state_->timer.end(state_->gl);
+  return drawn;
 }
 
 void GlRenderer::make_blend_tables() const {
   state_->caches.colors.blends.make_all();
+}
+
+std::optional<double> GlRenderer::card_seconds() const {
+  return state_->timer.seconds();
 }
 
 CacheCounts GlRenderer::cache_counts() const {

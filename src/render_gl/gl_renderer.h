@@ -13,6 +13,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "base/result.h"
@@ -62,14 +63,18 @@ class GlRenderer {
   // Draws over the picture. Waits for the card, and changes the frame's pixels, only if `overlay` has
   // products of colors, or details of pictures, in an indexed frame.
   base::Status draw_overlay(const render::DrawList& overlay, render::FrameBuffer& io_frame);
-  // Copies the picture to the frame, and waits for it. Fails with kUsage if there is no picture of the frame's
-  // size and format.
+  // Copies the picture to the frame, and waits for it. Fails with kUsage if there is no picture of the
+  // frame's size and format.
   base::Status read(render::FrameBuffer& io_frame) const;
   // Draws the picture into the window of the current context.
   base::Status show(const Shown& shown);
 
   // Computes what indexed frames need for translucency (Renderer::make_blend_tables).
   void make_blend_tables() const;
+
+  // How long the card drew one of the last frames, in seconds. Nothing if it has no timer, or has not
+  // reported yet.
+  std::optional<double> card_seconds() const;
 
   // How the last frame used the card's cache, and the memory that the cache takes.
   CacheCounts cache_counts() const;

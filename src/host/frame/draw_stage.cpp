@@ -159,7 +159,7 @@ void draw_and_show(Host& io_host) {
   if (is_parallel) io_host.worker.begin(step);
   draw_frame(io_host, settings, frame);
   times.drawing_s = window.now_s() - start_s;
-  io_host.video.screen.update_scale(screen_settings, times.drawing_s);
+  io_host.video.screen.update_scale(screen_settings, find_drawing_time_s(io_host, times.drawing_s));
   const base::Status shown = show_frame(io_host, screen_settings);
   const double shown_s = window.now_s();
   times.present_s = shown_s - start_s - times.drawing_s;

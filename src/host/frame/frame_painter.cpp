@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "host/frame/host_parts.h"
@@ -107,6 +108,11 @@ void paint_overlay(Host& io_host, const render::DrawList& overlay, render::Frame
   GlView* const view = find_window_view(data);
   if (view == nullptr) return data.renderer.draw_overlay(overlay, io_frame, io_stats);
   if (!data.gl_failure) keep_failure(data, view->draw_overlay(overlay, io_frame));
+}
+
+double find_drawing_time_s(const Host& host, double cpu_s) {
+  const GlView* const view = find_window_view(*host.game.data);
+  return std::max(cpu_s, view != nullptr ? view->card_seconds().value_or(0) : 0);
 }
 
 base::Status show_frame(Host& io_host, const ScreenSettings& settings) {

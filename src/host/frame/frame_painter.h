@@ -36,6 +36,8 @@ void paint_nothing(Host& io_host, render::FrameBuffer& io_frame);
 void read_view(Host& io_host, render::FrameBuffer& io_frame);
 void paint_overlay(Host& io_host, const render::DrawList& overlay, render::FrameBuffer& io_frame,
                    render::FrameStats& io_stats);
+// How long this frame takes to draw, if the CPU took `cpu_s`: the card may draw longer.
+double find_drawing_time_s(const Host& host, double cpu_s);
 // Fails if the window is lost.
 base::Status show_frame(Host& io_host, const ScreenSettings& settings);
 

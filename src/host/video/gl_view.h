@@ -56,6 +56,8 @@ class GlView {
   }
   base::Status read(render::FrameBuffer& io_frame) const { return renderer_->read(io_frame); }
   base::Status show(const render_gl::Shown& shown);
+  // How long the card drew one of the last frames; see GlRenderer.
+  std::optional<double> card_seconds() const { return renderer_->card_seconds(); }
 
  private:
   GlView() = default;

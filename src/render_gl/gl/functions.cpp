@@ -106,6 +106,8 @@ base::Result<Functions> load_functions(const FunctionFinder& find) {
     find_function(find, "glClipControl", gl.ClipControl);
   gl.has_anisotropy = has_extension(gl, "GL_EXT_texture_filter_anisotropic") ||
                       has_extension(gl, "GL_ARB_texture_filter_anisotropic");
+  gl.has_timer = !read_string(gl, GL_VERSION).starts_with("OpenGL ES") ||
+                 has_extension(gl, "GL_EXT_disjoint_timer_query");
 #ifndef NDEBUG
   if (has_extension(gl, "GL_KHR_debug")) begin_messages(find, gl);
 #endif

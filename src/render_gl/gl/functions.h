@@ -23,6 +23,7 @@ using FunctionFinder = std::function<void*(const char* name)>;
 #define TEMBLOR_GL_FUNCTIONS(X)                                \
   X(PFNGLACTIVETEXTUREPROC, ActiveTexture)                     \
   X(PFNGLATTACHSHADERPROC, AttachShader)                       \
+  X(PFNGLBEGINQUERYPROC, BeginQuery)                           \
   X(PFNGLBINDBUFFERPROC, BindBuffer)                           \
   X(PFNGLBINDFRAMEBUFFERPROC, BindFramebuffer)                 \
   X(PFNGLBINDTEXTUREPROC, BindTexture)                         \
@@ -43,6 +44,7 @@ using FunctionFinder = std::function<void*(const char* name)>;
   X(PFNGLDELETEBUFFERSPROC, DeleteBuffers)                     \
   X(PFNGLDELETEFRAMEBUFFERSPROC, DeleteFramebuffers)           \
   X(PFNGLDELETEPROGRAMPROC, DeleteProgram)                     \
+  X(PFNGLDELETEQUERIESPROC, DeleteQueries)                     \
   X(PFNGLDELETESHADERPROC, DeleteShader)                       \
   X(PFNGLDELETETEXTURESPROC, DeleteTextures)                   \
   X(PFNGLDELETEVERTEXARRAYSPROC, DeleteVertexArrays)           \
@@ -55,16 +57,19 @@ using FunctionFinder = std::function<void*(const char* name)>;
   X(PFNGLDRAWELEMENTSPROC, DrawElements)                       \
   X(PFNGLENABLEPROC, Enable)                                   \
   X(PFNGLENABLEVERTEXATTRIBARRAYPROC, EnableVertexAttribArray) \
+  X(PFNGLENDQUERYPROC, EndQuery)                               \
   X(PFNGLFRAMEBUFFERTEXTURE2DPROC, FramebufferTexture2D)       \
   X(PFNGLFRAMEBUFFERTEXTURELAYERPROC, FramebufferTextureLayer) \
   X(PFNGLGENBUFFERSPROC, GenBuffers)                           \
   X(PFNGLGENFRAMEBUFFERSPROC, GenFramebuffers)                 \
+  X(PFNGLGENQUERIESPROC, GenQueries)                           \
   X(PFNGLGENTEXTURESPROC, GenTextures)                         \
   X(PFNGLGENVERTEXARRAYSPROC, GenVertexArrays)                 \
   X(PFNGLGETERRORPROC, GetError)                               \
   X(PFNGLGETINTEGERVPROC, GetIntegerv)                         \
   X(PFNGLGETPROGRAMINFOLOGPROC, GetProgramInfoLog)             \
   X(PFNGLGETPROGRAMIVPROC, GetProgramiv)                       \
+  X(PFNGLGETQUERYOBJECTUIVPROC, GetQueryObjectuiv)             \
   X(PFNGLGETSHADERINFOLOGPROC, GetShaderInfoLog)               \
   X(PFNGLGETSHADERIVPROC, GetShaderiv)                         \
   X(PFNGLGETSTRINGPROC, GetString)                             \
@@ -105,6 +110,8 @@ struct Functions {
   PFNGLCLIPCONTROLEXTPROC ClipControl = nullptr;
   // Whether textures have the parameter of EXT_texture_filter_anisotropic.
   bool has_anisotropy = false;
+  // Whether queries have GL_TIME_ELAPSED_EXT.
+  bool has_timer = false;
   // The messages of a debug context (KHR_debug); null in release builds and in other contexts.
   PFNGLGETDEBUGMESSAGELOGKHRPROC GetDebugMessageLog = nullptr;
 

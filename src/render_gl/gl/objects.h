@@ -48,6 +48,9 @@ inline void framebuffer(const Functions& gl, GLuint name) {
 inline void vertex_array(const Functions& gl, GLuint name) {
   gl.DeleteVertexArrays(1, &name);
 }
+inline void query(const Functions& gl, GLuint name) {
+  gl.DeleteQueries(1, &name);
+}
 inline void program(const Functions& gl, GLuint name) {
   gl.DeleteProgram(name);
 }
@@ -57,6 +60,7 @@ using Buffer = Object<deleting::buffer>;
 using Texture = Object<deleting::texture>;
 using Framebuffer = Object<deleting::framebuffer>;
 using VertexArray = Object<deleting::vertex_array>;
+using Query = Object<deleting::query>;
 using Program = Object<deleting::program>;
 
 Buffer make_buffer(const Functions& gl);
