@@ -76,7 +76,7 @@ struct GlRenderer::State {
   base::Result<render::FrameRecord> build_surfaces(const render::FrameContext& context,
                                                    const render::FrameBuffer& frame);
   base::Status set_format(render::PixelFormat format);
-  base::Status set_target(const render::FrameBuffer& frame);
+  base::Status begin(const render::FrameBuffer& frame);
   base::Status draw(const FrameInput& input, std::uint32_t background);
   base::Status read(render::FrameBuffer& io_frame);
 };
@@ -148,8 +148,7 @@ base::Result<render::FrameStats> GlRenderer::render(const render::Scene& scene, 
 base::Result<render::FrameStats> GlRenderer::draw(const render::Scene& scene, const render::Settings& asked,
                                                   render::FrameBuffer& io_frame) {
   CHECK(scene.level != nullptr);
-  TRY_STATUS(state_->set_format(io_frame.format()));
-  TRY_STATUS(state_->set_target(io_frame));
+  TRY_STATUS(state_->begin(io_frame));
   const render::Settings settings = render::resolve_settings(asked, scene, io_frame);
   render::FrameCaches& caches = state_->caches;
   caches.prepare(scene, settings);
@@ -187,7 +186,9 @@ base::Result<render::FrameStats> GlRenderer::draw(const render::Scene& scene, co
   return stats;
 }
 
-base::Status GlRenderer::State::set_target(const render::FrameBuffer& frame) {
+base::Status GlRenderer::State::begin(const render::FrameBuffer& frame) {
+  TRY_STATUS(gl.check_context());
+  TRY_STATUS(set_format(frame.format()));
   Target& target = passes->target;
   if (target.has_layout(frame.width(), frame.height(), frame.format())) return base::Ok{};
   TRY(target, Target::make(gl, frame.width(), frame.height(), frame.format()));
@@ -224,8 +225,7 @@ base::Status GlRenderer::State::read(render::FrameBuffer& io_frame) {
 }
 
 base::Status GlRenderer::clear(const render::FrameBuffer& frame) {
-  TRY_STATUS(state_->set_format(frame.format()));
-  TRY_STATUS(state_->set_target(frame));
+  TRY_STATUS(state_->begin(frame));
   const render::ColorTables& colors = state_->caches.colors;
   const bool is_indexed = frame.format() == render::PixelFormat::kIndexed;
   state_->timer.begin(state_->gl);

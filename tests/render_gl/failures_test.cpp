@@ -149,6 +149,18 @@ TEST_P(FailingCard, SaysThatTheContextIsLost) {
   EXPECT_TRUE(contains(run(), "the OpenGL context is lost"));
 }
 
+// The driver reports that the card was reset, without an error of OpenGL.
+TEST_P(FailingCard, NoticesThatTheCardWasReset) {
+  base::Result<GlRenderer> renderer = make();
+  ASSERT_TRUE(renderer.ok());
+  EXPECT_TRUE(draw(*renderer).ok());
+  constexpr GLenum kInnocentReset = 0x8254;
+  card_->faults.reset_status = kInnocentReset;
+  const base::Status drawn = draw(*renderer);
+  ASSERT_FALSE(drawn.ok());
+  EXPECT_EQ(drawn.error().what, "the OpenGL context is lost: the graphics card was reset");
+}
+
 TEST_P(FailingCard, SurvivesFailuresWhenItBuildsBlocks) {
   method_ = WorldMethod::kCardBlocks;
   ASSERT_EQ(run(), "");

@@ -60,6 +60,7 @@ struct InjectedGl::Wrappers {
     current->real_.DeleteProgram(name);
     current->bytes_.erase(number(ObjectKind::kProgram, name));
   }
+  static GLenum GL_APIENTRY get_reset_status() { return current->faults.reset_status; }
   static void GL_APIENTRY get_integer(GLenum name, GLint* out) {
     const auto found = current->faults.integers.find(name);
     if (found != current->faults.integers.end())
@@ -133,6 +134,7 @@ struct InjectedGl::Wrappers {
             {"glDeleteShader", address(&delete_shader)},
             {"glDeleteProgram", address(&delete_program)},
             {"glGetIntegerv", address(&get_integer)},
+            {"glGetGraphicsResetStatus", address(&get_reset_status)},
             {"glGetShaderiv", address(&get_shader)},
             {"glGetProgramiv", address(&get_program)},
             {"glCheckFramebufferStatus", address(&check_framebuffer)},

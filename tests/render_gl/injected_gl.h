@@ -24,6 +24,7 @@ struct Faults {
   // Fail for the call of this number, from 0; negative: never.
   int compile = -1, link = -1, framebuffer = -1, texture = -1, buffer = -1;
   GLenum texture_error = GL_OUT_OF_MEMORY;
+  GLenum reset_status = GL_NO_ERROR;
 };
 
 // One at a time on each thread.

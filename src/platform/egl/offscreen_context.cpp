@@ -4,8 +4,9 @@
 #include <EGL/eglext.h>
 #include <dlfcn.h>
 
-#include <array>
+#include <initializer_list>
 #include <utility>
+#include <vector>
 
 namespace temblor::platform::egl {
 
@@ -85,17 +86,26 @@ class OffscreenContext final : public GlContext {
   EGLContext context_;
 };
 
-// Debug builds ask for a context that reports errors, if there is one. EGL_NO_CONTEXT if it fails.
+// A context that reports when it is lost, if there is one. Debug builds ask for one that reports errors, too.
+// EGL_NO_CONTEXT if it fails.
 EGLContext create_context(const Egl& egl, EGLDisplay display) {
-  constexpr EGLint kMajor = EGL_CONTEXT_MAJOR_VERSION, kMinor = EGL_CONTEXT_MINOR_VERSION;
+  const std::vector<EGLint> plain = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 0};
+  const auto create = [&](std::initializer_list<EGLint> wishes) {
+    std::vector<EGLint> attributes = plain;
+    attributes.insert(attributes.end(), wishes);
+    attributes.push_back(EGL_NONE);
+    return egl.create_context(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes.data());
+  };
+  constexpr EGLint kStrategy = EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY_EXT;
+  EGLContext context = EGL_NO_CONTEXT;
 #ifndef NDEBUG
-  constexpr std::array<EGLint, 7> kDebug = {
-      kMajor, 3, kMinor, 0, EGL_CONTEXT_FLAGS_KHR, EGL_CONTEXT_OPENGL_DEBUG_BIT_KHR, EGL_NONE};
-  const EGLContext debug = egl.create_context(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, kDebug.data());
-  if (debug != EGL_NO_CONTEXT) return debug;
+  context = create(
+      {EGL_CONTEXT_FLAGS_KHR, EGL_CONTEXT_OPENGL_DEBUG_BIT_KHR, kStrategy, EGL_LOSE_CONTEXT_ON_RESET_EXT});
+  if (context == EGL_NO_CONTEXT) context = create({EGL_CONTEXT_FLAGS_KHR, EGL_CONTEXT_OPENGL_DEBUG_BIT_KHR});
 #endif
-  constexpr std::array<EGLint, 5> kPlain = {kMajor, 3, kMinor, 0, EGL_NONE};
-  return egl.create_context(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, kPlain.data());
+  if (context == EGL_NO_CONTEXT) context = create({kStrategy, EGL_LOSE_CONTEXT_ON_RESET_EXT});
+  if (context == EGL_NO_CONTEXT) context = create({});
+  return context;
 }
 
 }  // namespace

@@ -44,6 +44,7 @@ class SdlGlContext : public WindowGlContext {
 
 struct Version {
   int profile, major, minor;
+  int reset_notification;  // the context reports when it is lost
 };
 
 // Null if the driver lacks it.
@@ -51,6 +52,7 @@ SDL_GLContext create_context(SDL_Window* window, const Version& version) {
   SDL_GL_SetAttribute(SDL_GL_CONTEXT_PROFILE_MASK, version.profile);
   SDL_GL_SetAttribute(SDL_GL_CONTEXT_MAJOR_VERSION, version.major);
   SDL_GL_SetAttribute(SDL_GL_CONTEXT_MINOR_VERSION, version.minor);
+  SDL_GL_SetAttribute(SDL_GL_CONTEXT_RESET_NOTIFICATION, version.reset_notification);
 #ifndef NDEBUG
   SDL_GL_SetAttribute(SDL_GL_CONTEXT_FLAGS, SDL_GL_CONTEXT_DEBUG_FLAG);
 #endif
@@ -60,8 +62,11 @@ SDL_GLContext create_context(SDL_Window* window, const Version& version) {
 }  // namespace
 
 base::Result<std::unique_ptr<WindowGlContext>> make_gl_context(const GlWindow& gl_window) {
-  constexpr std::array<Version, 2> kVersions = {
-      {{SDL_GL_CONTEXT_PROFILE_CORE, 3, 3}, {SDL_GL_CONTEXT_PROFILE_ES, 3, 0}}};
+  constexpr int kReports = SDL_GL_CONTEXT_RESET_LOSE_CONTEXT, kSilent = SDL_GL_CONTEXT_RESET_NO_NOTIFICATION;
+  constexpr std::array<Version, 4> kVersions = {{{SDL_GL_CONTEXT_PROFILE_CORE, 3, 3, kReports},
+                                                 {SDL_GL_CONTEXT_PROFILE_CORE, 3, 3, kSilent},
+                                                 {SDL_GL_CONTEXT_PROFILE_ES, 3, 0, kReports},
+                                                 {SDL_GL_CONTEXT_PROFILE_ES, 3, 0, kSilent}}};
   SDL_GLContext context = nullptr;
   for (const Version& version : kVersions)
     if (context == nullptr) context = create_context(gl_window.window, version);

@@ -89,6 +89,11 @@ base::Status Functions::check(const char* doing) const {
   }
 }
 
+base::Status Functions::check_context() const {
+  if (GetGraphicsResetStatus == nullptr || GetGraphicsResetStatus() == GL_NO_ERROR) return base::Ok{};
+  return base::error(ErrorCode::kIo, "the OpenGL context is lost: the graphics card was reset");
+}
+
 base::Result<Functions> load_functions(const FunctionFinder& find) {
   Functions gl;
   // First the version, since an old driver lacks functions, too.
@@ -108,6 +113,9 @@ base::Result<Functions> load_functions(const FunctionFinder& find) {
                       has_extension(gl, "GL_ARB_texture_filter_anisotropic");
   gl.has_timer = !read_string(gl, GL_VERSION).starts_with("OpenGL ES") ||
                  has_extension(gl, "GL_EXT_disjoint_timer_query");
+  if (has_extension(gl, "GL_KHR_robustness") &&
+      !find_function(find, "glGetGraphicsResetStatus", gl.GetGraphicsResetStatus))
+    find_function(find, "glGetGraphicsResetStatusKHR", gl.GetGraphicsResetStatus);
 #ifndef NDEBUG
   if (has_extension(gl, "GL_KHR_debug")) begin_messages(find, gl);
 #endif

@@ -112,12 +112,17 @@ struct Functions {
   bool has_anisotropy = false;
   // Whether queries have GL_TIME_ELAPSED_EXT.
   bool has_timer = false;
+  // Tells whether a context that asked for it is lost (KHR_robustness); null if the driver cannot tell.
+  PFNGLGETGRAPHICSRESETSTATUSKHRPROC GetGraphicsResetStatus = nullptr;
   // The messages of a debug context (KHR_debug); null in release builds and in other contexts.
   PFNGLGETDEBUGMESSAGELOGKHRPROC GetDebugMessageLog = nullptr;
 
   // Fails with kIo, and a line that begins with `doing`, if an error occurred since the last call, or if the
   // driver reported one of high severity.
   base::Status check(const char* doing) const;
+  // Fails with kIo if the driver reports that the context is lost. Asking may take some time, so once per
+  // frame is enough.
+  base::Status check_context() const;
 };
 
 // The functions of the current context. Fails with kUnsupported if one is missing, or if the context is older
