@@ -21,10 +21,13 @@ bool is_weapon(const render::AliasPlacement& placement) {
 }  // namespace
 
 AliasPass::AliasPass(const Functions& gl, Program program, PlayerPalettes palettes, AliasLayer layer)
-    : program_(std::move(program)),
-      index_(gl, program_),
-      palettes_(std::move(palettes)),
-      layer_(std::move(layer)) {
+    : index_(gl, program), palettes_(std::move(palettes)), layer_(std::move(layer)) {
+  set_program(gl, std::move(program));
+}
+
+void AliasPass::set_program(const Functions& gl, Program program) {
+  program_ = std::move(program);
+  index_ = IndexUniforms(gl, program_);
   const auto find = [&](const char* name) { return gl.GetUniformLocation(program_.name(), name); };
   uniforms_ = {find("to_view"),    find("pose_blend"), find("lights"),      find("projection"),
                find("full_range"), find("skins"),      find("palettes"),    find("skin"),
@@ -32,18 +35,39 @@ AliasPass::AliasPass(const Functions& gl, Program program, PlayerPalettes palett
                find("colormap"),   find("tints"),      find("tint_row")};
 }
 
+namespace {
+
+base::Result<Program> make_alias_program(const Functions& gl, render::PixelFormat format,
+                                         const TexelBlend& blend) {
+  const std::string vertex = std::string(kProjectionPart) + kAliasVertexShader;
+  const std::string fragment = texel_blend_defines(blend) + look_part(find_look(format)) + kAliasTexelPart +
+                               kTexelBlendPart + kAliasFragmentShader;
+  return make_program(gl, vertex.c_str(), fragment.c_str());
+}
+
+}  // namespace
+
 base::Result<AliasPass> AliasPass::make(const Functions& gl, const render::ColorTables& colors,
                                         render::PixelFormat format) {
-  TRY(Program program, make_program(gl, (std::string(kProjectionPart) + kAliasVertexShader).c_str(),
-                                    (look_part(find_look(format)) + kAliasFragmentShader).c_str()));
+  TRY(Program program, make_alias_program(gl, format, {}));
   TRY(PlayerPalettes palettes, PlayerPalettes::make(gl, colors, format));
   TRY(AliasLayer layer, AliasLayer::make(gl, format));
   return AliasPass(gl, std::move(program), std::move(palettes), std::move(layer));
 }
 
+base::Status AliasPass::set_blend(const Functions& gl, const FrameInput& input) {
+  const TexelBlend wanted = find_texel_blend(input.options);
+  if (wanted == blend_) return base::Ok{};
+  TRY(Program program, make_alias_program(gl, input.context.format, wanted));
+  set_program(gl, std::move(program));
+  blend_ = wanted;
+  return base::Ok{};
+}
+
 base::Status AliasPass::draw_opaque(const Functions& gl, const FrameInput& input) {
   models_.begin_frame();
   instances_drawn_ = triangles_drawn_ = 0;
+  TRY_STATUS(set_blend(gl, input));
   if (!input.sources.fill_depth) return base::Ok{};
   const std::span<const render::AliasPlacement> placements =
       render::place_alias_models(input.scene(), input.record.view, input.context.arena());

@@ -11,6 +11,7 @@
 #include "render/alias/light_alias.h"
 #include "render/alias/place_alias.h"
 #include "render/frame_stats.h"
+#include "render_gl/gl/texel_blend.h"
 #include "render_gl/models/alias_layer.h"
 #include "render_gl/models/model_cache.h"
 #include "render_gl/models/player_palettes.h"
@@ -43,6 +44,8 @@ class AliasPass {
   };
 
   AliasPass(const Functions& gl, Program program, PlayerPalettes palettes, AliasLayer layer);
+  void set_program(const Functions& gl, Program program);
+  base::Status set_blend(const Functions& gl, const FrameInput& input);
   void begin_draw(const Functions& gl, const FrameInput& input) const;
   void end_draw(const Functions& gl) const;
   base::Status draw(const Functions& gl, const FrameInput& input, const render::AliasPlacement& placement,
@@ -55,6 +58,7 @@ class AliasPass {
                                 const render::AliasLight& light) const;
 
   Program program_;
+  TexelBlend blend_;  // of the program
   Uniforms uniforms_;
   IndexUniforms index_;
   PlayerPalettes palettes_;

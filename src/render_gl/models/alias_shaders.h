@@ -40,7 +40,8 @@ void main() {
 }
 )";
 
-inline constexpr const char* kAliasFragmentShader = R"(
+// Ends before the function that finds a pixel's color, so that kTexelBlendPart can follow it.
+inline constexpr const char* kAliasTexelPart = R"(
 uniform usampler2DArray skins;
 uniform sampler2D palettes;
 uniform ivec4 skin;    // first row, layer, width, height
@@ -61,19 +62,30 @@ out vec4 color;
 
 const float kBrightestLight = 32640.0, kLightAsStored = 16384.0, kDarkestRow = 16383.0;
 
-void main() {
-  ivec2 at = clamp(ivec2(floor(skin_texel)), ivec2(0), skin.zw - 1);
+vec4 find_texel(ivec2 texel) {
+  ivec2 at = clamp(texel, ivec2(0), skin.zw - 1);
   uint index = texelFetch(skins, ivec3(at.x, at.y + skin.x, skin.y), 0).r;
-  color = texelFetch(palettes, ivec2(int(index), palette), 0);
+  vec4 own = texelFetch(palettes, ivec2(int(index), palette), 0);
   float steps = light.z > 0.0 ? light.x : light.y * gl_FragCoord.w;
 #ifdef INDEXED
   int row = int(clamp(steps, 0.0, kDarkestRow)) >> 8;
-  color.r = texelFetch(colormap, ivec2(to_index(color.r), row), 0).r;
-  color.r = texelFetch(tints, ivec2(to_index(color.r), tint_row), 0).r;
+  own.r = texelFetch(colormap, ivec2(to_index(own.r), row), 0).r;
+  own.r = texelFetch(tints, ivec2(to_index(own.r), tint_row), 0).r;
 #else
-  if (color.a > 0.5) {
-    color.rgb = min(color.rgb * tint * (clamp(steps, 0.0, kBrightestLight) / kLightAsStored), 1.0);
+  if (own.a > 0.5) {
+    own.rgb = min(own.rgb * tint * (clamp(steps, 0.0, kBrightestLight) / kLightAsStored), 1.0);
   }
+#endif
+  return own;
+}
+)";
+
+inline constexpr const char* kAliasFragmentShader = R"(
+void main() {
+#ifdef BLENDED_TEXELS
+  color = blend_texels(skin_texel);
+#else
+  color = find_texel(ivec2(floor(skin_texel)));
 #endif
   if (fog_density > 0.0) {
     float thickness = fog_density * view_z / 64.0;

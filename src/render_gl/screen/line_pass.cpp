@@ -108,6 +108,7 @@ void LinePass::add_line(const render::Line& line, const render::ViewFrame& view,
 base::Status LinePass::draw(const Functions& gl, const FrameInput& input) {
   const render::FrameContext& context = input.context;
   corners_.clear();
+  if (context.scene.lines.empty()) return base::Ok{};
   // A picture of one pixel, to find the color that the CPU paints.
   render::FrameBuffer sample(1, 1, context.format);
   render::Painter painter(context.colors.palette, sample);

@@ -37,10 +37,8 @@ std::optional<PixelRect> find_sprite_rect(const render::SpriteQuad& quad, const 
 
 }  // namespace
 
-SpritePass::SpritePass(const Functions& gl, ScreenProgram program, ScreenProgram blended,
-                       render::PixelFormat format)
-    : program_(std::move(program)),
-      blended_(std::move(blended)),
+SpritePass::SpritePass(const Functions& gl, Programs programs, render::PixelFormat format)
+    : programs_(std::move(programs)),
       vertex_array_(make_vertex_array(gl)),
       buffer_(make_buffer(gl)),
       textures_(format) {
@@ -64,14 +62,24 @@ SpritePass::SpritePass(const Functions& gl, ScreenProgram program, ScreenProgram
   gl.BindVertexArray(0);
 }
 
+base::Result<SpritePass::Programs> SpritePass::make_programs(const Functions& gl, render::PixelFormat format,
+                                                             const TexelBlend& blend) {
+  const std::string fragment =
+      texel_blend_defines(blend) + kSpriteTexelPart + kTexelBlendPart + kSpriteFragmentShader;
+  const auto make = [&](ShaderLook look) {
+    return ScreenProgram::make(gl, kSpriteVertexShader, fragment.c_str(), look);
+  };
+  TRY(ScreenProgram program, make(find_look(format)));
+  Programs programs{std::move(program), std::nullopt};
+  if (format == render::PixelFormat::kIndexed) {
+    TRY(programs.blended, make(ShaderLook::kBlendedIndices));
+  }
+  return programs;
+}
+
 base::Result<SpritePass> SpritePass::make(const Functions& gl, render::PixelFormat format) {
-  const bool is_indexed = format == render::PixelFormat::kIndexed;
-  TRY(ScreenProgram program,
-      ScreenProgram::make(gl, kSpriteVertexShader, kSpriteFragmentShader, find_look(format)));
-  TRY(ScreenProgram blended,
-      ScreenProgram::make(gl, kSpriteVertexShader, kSpriteFragmentShader,
-                          is_indexed ? ShaderLook::kBlendedIndices : ShaderLook::kColors));
-  return SpritePass(gl, std::move(program), std::move(blended), format);
+  TRY(Programs programs, make_programs(gl, format, {}));
+  return SpritePass(gl, std::move(programs), format);
 }
 
 base::Status SpritePass::prepare(const Functions& gl, const FrameInput& input) {
@@ -84,6 +92,10 @@ base::Status SpritePass::prepare(const Functions& gl, const FrameInput& input) {
     level_ = input.context.level().identity;
   }
   if (!input.sources.fill_depth || input.scene().sprites.empty()) return base::Ok{};
+  if (const TexelBlend wanted = find_texel_blend(input.options); wanted != blend_) {
+    TRY(programs_, make_programs(gl, input.context.format, wanted));
+    blend_ = wanted;
+  }
   textures_.begin_frame();
   for (const render::SpriteQuad& quad :
        render::place_sprites(input.scene(), input.record.view, input.context.arena())) {
@@ -150,7 +162,7 @@ void SpritePass::draw_batch(const Functions& gl, const Batch& batch) const {
 
 void SpritePass::draw_opaque(const Functions& gl, const FrameInput& input) const {
   if (opaque_.empty()) return;
-  begin_draw(gl, input, program_);
+  begin_draw(gl, input, programs_.program);
   for (const Batch& batch : opaque_) draw_batch(gl, batch);
   gl.DepthFunc(GL_GREATER);
   gl.BindVertexArray(0);
@@ -161,10 +173,11 @@ base::Status SpritePass::draw_translucent(const Functions& gl, const FrameInput&
   const render::SpriteQuad& quad = input.order.sprites[sprite];
   const std::optional<PixelRect> rect = find_sprite_rect(quad, input.record.view);
   if (!rect) return base::Ok{};
-  begin_draw(gl, input, blended_);
+  const ScreenProgram& program = programs_.blended ? *programs_.blended : programs_.program;
+  begin_draw(gl, input, program);
   if (input.index_tables != nullptr) {
     const IndexBlend blend{.table = input.context.colors.blends.table_for(quad.alpha)};
-    TRY_STATUS(input.index_tables->use_blend(gl, blended_.index_uniforms(), blend, *rect, io_target));
+    TRY_STATUS(input.index_tables->use_blend(gl, program.index_uniforms(), blend, *rect, io_target));
   } else {
     gl.Enable(GL_BLEND);
     gl.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);

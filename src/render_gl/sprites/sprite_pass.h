@@ -4,9 +4,11 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "render_gl/frame/screen_space.h"
+#include "render_gl/gl/texel_blend.h"
 #include "render_gl/sprites/picture_textures.h"
 #include "render_gl/world/world_pass.h"
 
@@ -38,7 +40,14 @@ class SpritePass {
     std::size_t first, count;
   };
 
-  SpritePass(const Functions& gl, ScreenProgram program, ScreenProgram blended, render::PixelFormat format);
+  // The second program is for translucent sprites of indexed frames.
+  struct Programs {
+    ScreenProgram program;
+    std::optional<ScreenProgram> blended;
+  };
+  static base::Result<Programs> make_programs(const Functions& gl, render::PixelFormat format,
+                                              const TexelBlend& blend);
+  SpritePass(const Functions& gl, Programs programs, render::PixelFormat format);
   void add_corners(const render::SpriteQuad& quad, const PictureTextures::Found& found,
                    const render::ViewFrame& view);
   base::Result<Batch> add_sprite(const Functions& gl, const FrameInput& input,
@@ -46,7 +55,8 @@ class SpritePass {
   void begin_draw(const Functions& gl, const FrameInput& input, const ScreenProgram& program) const;
   void draw_batch(const Functions& gl, const Batch& batch) const;
 
-  ScreenProgram program_, blended_;  // the second one for translucent sprites
+  Programs programs_;
+  TexelBlend blend_;  // of the programs
   VertexArray vertex_array_;
   Buffer buffer_;
   PictureTextures textures_;

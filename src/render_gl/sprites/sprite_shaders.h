@@ -28,7 +28,7 @@ void main() {
 }
 )";
 
-inline constexpr const char* kSpriteFragmentShader = R"(
+inline constexpr const char* kSpriteTexelPart = R"(
 uniform sampler2D picture;
 
 flat in vec2 plane_origin;
@@ -36,13 +36,28 @@ flat in vec3 plane_depth, plane_s, plane_t;
 flat in vec2 sprite_kind;
 out vec4 color;
 
+// Clear texels have no color to blend with: their neighbors' shares are larger.
+vec4 find_texel(ivec2 texel) {
+  vec4 own = texelFetch(picture, clamp(texel, ivec2(0), textureSize(picture, 0) - 1), 0);
+#ifdef BLENDED_TEXELS
+  own.rgb *= own.a;
+#endif
+  return own;
+}
+)";
+
+inline constexpr const char* kSpriteFragmentShader = R"(
 void main() {
   vec3 at = vec3(1.0, gl_FragCoord.xy - 0.5 - plane_origin);
   float depth = dot(plane_depth, at);
   float z = sprite_kind.y > 0.5 ? 1.0 : 1.0 / max(depth, 1e-20);
-  vec2 last = vec2(textureSize(picture, 0) - 1);
-  vec2 texel = clamp(vec2(dot(plane_s, at), dot(plane_t, at)) * z, vec2(0), last);
-  color = texelFetch(picture, ivec2(texel), 0);
+  vec2 texel = vec2(dot(plane_s, at), dot(plane_t, at)) * z;
+#ifdef BLENDED_TEXELS
+  color = blend_texels(texel);
+  color.rgb /= max(color.a, 1e-6);
+#else
+  color = find_texel(ivec2(max(texel, vec2(0))));
+#endif
 #ifdef INDEXED
   if (color.r == 1.0) discard;
 #else
