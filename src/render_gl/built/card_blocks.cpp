@@ -71,13 +71,14 @@ AtlasKey card_block_key(const world::Level& level, const render::BlockRequest& r
 
 }  // namespace
 
-CardBlocks::CardBlocks(const Functions& gl, Program program, Framebuffer framebuffer)
-    : program_(std::move(program)),
+CardBlocks::CardBlocks(const Functions& gl, LightGrids light, Program program, Framebuffer framebuffer)
+    : GridMethod(std::move(light)),
+      program_(std::move(program)),
       framebuffer_(std::move(framebuffer)),
       buffer_(make_buffer(gl)),
       vertex_array_(make_vertex_array(gl)) {}
 
-base::Result<CardBlocks> CardBlocks::make(const Functions& gl, const BlockAtlas& atlas) {
+base::Result<std::unique_ptr<LitMethod>> CardBlocks::make(const Functions& gl, const BlockAtlas& atlas) {
   const std::string vertex = std::string(kLitTilePart) + kVertexShader;
   const std::string fragment =
       std::string("#define FILTER 0\n") + kLitTilePart + kLitColorPart + kFragmentShader;
@@ -87,26 +88,29 @@ base::Result<CardBlocks> CardBlocks::make(const Functions& gl, const BlockAtlas&
   gl.FramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, atlas.texture(), 0, 0);
   if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
     return base::error(base::ErrorCode::kUnsupported, "the graphics card cannot draw into a texture");
-  return CardBlocks(gl, std::move(program), std::move(framebuffer));
+  TRY(LightGrids light, LightGrids::make(gl));
+  return std::unique_ptr<LitMethod>(
+      new CardBlocks(gl, std::move(light), std::move(program), std::move(framebuffer)));
 }
 
 // A block that is there needs no light, so its grid may make room for others. A new one asks for its light
 // first: room in the atlas without it would stay empty.
-std::optional<TileRecord> CardBlocks::place(const Functions& gl, const world::Level& level,
-                                            std::uint32_t draw, LitTiles& io_lit, BlockAtlas& io_atlas) {
-  const render::BlockRequest& request = io_lit.request(draw);
+std::optional<TileRecord> CardBlocks::place(const Functions& gl, const FrameInput& input, std::uint32_t draw,
+                                            BlockAtlas& io_atlas) {
+  const world::Level& level = input.context.level();
+  const render::BlockRequest& request = tiles_.request(draw);
   const render::SurfaceShape shape =
       render::surface_shape(level.face(request.face), request.tile_s, request.tile_t, request.mip);
   const TileBlock block{shape, request.mip, request.tile_s, request.tile_t};
   const AtlasKey key = card_block_key(level, request);
   if (const auto stored = io_atlas.reuse(key)) return make_block_record(*stored, block);
-  const auto lit = io_lit.place(gl, level, draw);
+  const auto lit = GridMethod::place(gl, input, draw, io_atlas);
   if (!lit) return std::nullopt;
   const auto stored = io_atlas.reserve(key, shape);
   if (!stored) return std::nullopt;
   const TileRecord record = make_block_record(*stored, block);
   jobs_.push_back({stored->place.layer,
-                   io_lit.array(draw),
+                   tiles_.array(draw),
                    {lit->place, lit->size, lit->flags, lit->second_place},
                    std::bit_cast<std::uint32_t>(lit->scale_t),
                    record.place,
@@ -114,7 +118,7 @@ std::optional<TileRecord> CardBlocks::place(const Functions& gl, const world::Le
   return record;
 }
 
-void CardBlocks::bind(const Functions& gl, const LitTiles& lit, const BlockAtlas& atlas) const {
+void CardBlocks::bind(const Functions& gl, const BlockAtlas& atlas) const {
   const auto find = [&](const char* name) { return gl.GetUniformLocation(program_.name(), name); };
   gl.UseProgram(program_.name());
   gl.Uniform1i(find("textures"), kTexturesUnit);
@@ -122,7 +126,7 @@ void CardBlocks::bind(const Functions& gl, const LitTiles& lit, const BlockAtlas
   gl.Uniform1i(find("has_color_key"), atlas.format() == TexelFormat::k16Bit);
   gl.Uniform1f(find("side"), static_cast<float>(atlas.side()));
   gl.ActiveTexture(GL_TEXTURE0 + kLightUnit);
-  gl.BindTexture(GL_TEXTURE_2D_ARRAY, lit.light_texture());
+  gl.BindTexture(GL_TEXTURE_2D_ARRAY, light_.texture());
   gl.ActiveTexture(GL_TEXTURE0 + kTexturesUnit);
   gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
   gl.Viewport(0, 0, atlas.side(), atlas.side());
@@ -133,11 +137,11 @@ void CardBlocks::bind(const Functions& gl, const LitTiles& lit, const BlockAtlas
 }
 
 // One call for all blocks of a layer with textures of one array.
-void CardBlocks::draw(const Functions& gl, const LitTiles& lit, const BlockAtlas& atlas) {
+void CardBlocks::end_portion(const Functions& gl, const FrameInput&, const BlockAtlas& atlas) {
   if (jobs_.empty()) return;
   const auto group = [](const Job& job) { return std::tuple(job.layer, job.array); };
   std::ranges::stable_sort(jobs_, {}, group);
-  bind(gl, lit, atlas);
+  bind(gl, atlas);
   gl.BindVertexArray(vertex_array_.name());
   gl.BindBuffer(GL_ARRAY_BUFFER, buffer_.name());
   gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(jobs_.size() * sizeof(Job)), jobs_.data(),
@@ -153,7 +157,7 @@ void CardBlocks::draw(const Functions& gl, const LitTiles& lit, const BlockAtlas
     set_input(0, 4, offsetof(Job, lit));
     set_input(1, 3, offsetof(Job, mapping));
     gl.FramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, atlas.texture(), 0, jobs_[begin].layer);
-    gl.BindTexture(GL_TEXTURE_2D_ARRAY, lit.array_texture(jobs_[begin].array));
+    gl.BindTexture(GL_TEXTURE_2D_ARRAY, tiles_.array_texture(jobs_[begin].array));
     gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(end - begin));
   }
   gl.BindVertexArray(0);

@@ -9,28 +9,26 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "render_gl/gl/objects.h"
-#include "render_gl/lit/lit_tiles.h"
-#include "render_gl/surfaces/block_atlas.h"
-#include "render_gl/surfaces/tile_table.h"
+#include "render_gl/lit/grid_method.h"
 
 namespace temblor::render_gl {
 
-class CardBlocks {
+class CardBlocks final : public GridMethod {
  public:
   // Fails if the card cannot draw into the atlas, or does not accept the shaders.
-  static base::Result<CardBlocks> make(const Functions& gl, const BlockAtlas& atlas);
+  static base::Result<std::unique_ptr<LitMethod>> make(const Functions& gl, const BlockAtlas& atlas);
 
-  // The record of a lit tile, whose block is in the atlas after the next draw(). Nothing if the portion of
-  // the atlas or of the light is full.
-  std::optional<TileRecord> place(const Functions& gl, const world::Level& level, std::uint32_t draw,
-                                  LitTiles& io_lit, BlockAtlas& io_atlas);
+  bool has_lit_faces() const override { return false; }
+  // The record of a lit tile, whose block is in the atlas after end_portion(). Nothing if the portion of the
+  // atlas or of the light is full.
+  std::optional<TileRecord> place(const Functions& gl, const FrameInput& input, std::uint32_t draw,
+                                  BlockAtlas& io_atlas) override;
   // Draws the blocks that place() did not find. If there are any, another framebuffer and viewport are bound
   // then.
-  void draw(const Functions& gl, const LitTiles& lit, const BlockAtlas& atlas);
+  void end_portion(const Functions& gl, const FrameInput& input, const BlockAtlas& atlas) override;
 
  private:
   // One block to draw. The layout from `lit` on is that of the shader.
@@ -41,8 +39,8 @@ class CardBlocks {
     std::uint32_t place, size;         // in the atlas: x | y << 16, width | height << 16
   };
 
-  CardBlocks(const Functions& gl, Program program, Framebuffer framebuffer);
-  void bind(const Functions& gl, const LitTiles& lit, const BlockAtlas& atlas) const;
+  CardBlocks(const Functions& gl, LightGrids light, Program program, Framebuffer framebuffer);
+  void bind(const Functions& gl, const BlockAtlas& atlas) const;
 
   Program program_;
   Framebuffer framebuffer_;

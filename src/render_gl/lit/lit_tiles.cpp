@@ -4,7 +4,7 @@
 #include <bit>
 #include <cmath>
 
-#include "render/edges/edge_table.h"
+#include "render/edges/face_outlines.h"
 
 namespace temblor::render_gl {
 
@@ -20,14 +20,8 @@ std::uint32_t wrap(std::int64_t texel, std::uint32_t size) {
 
 }  // namespace
 
-base::Result<LitTiles> LitTiles::make(const Functions& gl) {
-  TRY(LightGrids light, LightGrids::make(gl));
-  return LitTiles(std::move(light));
-}
-
 base::Status LitTiles::set_level(const Functions& gl, const world::Level& level,
                                  const render::ColorTables& colors) {
-  light_.clear();
   textures_ = {};  // before the memory for the next ones is needed
   TRY(textures_, TextureArrays::make(gl, level, colors));
   return base::Ok{};
@@ -38,33 +32,31 @@ void LitTiles::set_filter(const Functions& gl, render::TextureFilter filter) {
 }
 
 // All tiles of a face have the same textures and marks, so it never has both kinds.
-void LitTiles::take(const world::Level& level, render::SurfaceRequests& io_requests) {
+bool LitTiles::has_texture(const world::Level& level, const render::BlockRequest& request) const {
+  return request.marks.empty() && request.contents.light_view != render::LightView::kLightOnly &&
+         level.face(request.face).kind != world::FaceKind::kLiquid &&
+         textures_.find(request.contents.texture).has_value();
+}
+
+void LitTiles::take(const world::Level& level, const CanLight& can_light,
+                    render::SurfaceRequests& io_requests) {
   const auto needs_block = [&](const render::BlockRequest& request) {
-    return !request.marks.empty() || request.contents.light_view == render::LightView::kLightOnly ||
-           level.face(request.face).kind == world::FaceKind::kLiquid ||
-           !textures_.find(request.contents.texture);
+    return !has_texture(level, request) || !can_light(request);
   };
-  light_.begin_frame();
   by_draw_.assign(io_requests.draws.size(), nullptr);
-  const auto lit = std::stable_partition(io_requests.blocks.begin(), io_requests.blocks.end(), needs_block);
-  const auto blocks = static_cast<std::size_t>(lit - io_requests.blocks.begin());
+  const auto first_lit =
+      std::stable_partition(io_requests.blocks.begin(), io_requests.blocks.end(), needs_block);
+  const auto blocks = static_cast<std::size_t>(first_lit - io_requests.blocks.begin());
   for (const render::BlockRequest& request : io_requests.blocks.subspan(blocks))
     by_draw_[request.draw] = &request;
   io_requests.blocks = io_requests.blocks.first(blocks);
 }
 
-std::uint16_t LitTiles::array(std::uint32_t draw) const {
-  return textures_.find(by_draw_[draw]->contents.texture)->array;
-}
-
-std::optional<TileRecord> LitTiles::place(const Functions& gl, const world::Level& level,
-                                          std::uint32_t draw) {
+TileRecord LitTiles::make_record(const world::Level& level, std::uint32_t draw, int texels_power) const {
   const render::BlockRequest& request = *by_draw_[draw];
-  const auto grid = light_.place(gl, level, request);
-  if (!grid) return std::nullopt;
   const world::Face& face = level.face(request.face);
   const world::Texture& texture = level.texture(request.contents.texture);
-  const TextureArrays::Place place = *textures_.find(request.contents.texture);
+  const TextureArrays::Place texture_place = place(draw);
   const render::SurfaceShape shape = render::surface_shape(face, request.tile_s, request.tile_t, request.mip);
   const std::int32_t tile_s = request.tile_s * render::kTileTexels,
                      tile_t = request.tile_t * render::kTileTexels;
@@ -73,21 +65,19 @@ std::optional<TileRecord> LitTiles::place(const Functions& gl, const world::Leve
         static_cast<std::uint32_t>(std::max(1, render::at_mip(static_cast<std::int32_t>(side), request.mip)));
     return wrap(render::at_mip(std::int64_t{texel}, request.mip), size);
   };
-  const auto level_number =
-      static_cast<std::uint32_t>(std::clamp(request.mip - int{place.finest_mip}, 0, int{place.levels} - 1));
+  const auto level_number = static_cast<std::uint32_t>(
+      std::clamp(request.mip - int{texture_place.finest_mip}, 0, int{texture_place.levels} - 1));
   TileRecord record;
-  record.place = pack_halves(grid->place.x, grid->place.y);
   record.size =
       pack_halves(static_cast<std::uint32_t>(shape.width), static_cast<std::uint32_t>(shape.height));
-  record.flags =
-      std::uint32_t{grid->place.layer} | static_cast<std::uint32_t>(TileKind::kLit) << 16 | 0xff000000u;
+  record.flags = static_cast<std::uint32_t>(TileKind::kLit) << 16 | 0xff000000u;
   record.second_place = pack_halves(first(face.texture_mins[0] + tile_s, texture.width),
                                     first(face.texture_mins[1] + tile_t, texture.height));
   record.origin_s = -static_cast<float>(tile_s);
   record.origin_t = -static_cast<float>(tile_t);
   record.scale_s = std::ldexp(1.0f, -request.mip);
-  record.scale_t = std::bit_cast<float>(std::uint32_t{place.layer} | level_number << 16 |
-                                        static_cast<std::uint32_t>(grid->texels_power) << 24 | kNormalBit);
+  record.scale_t = std::bit_cast<float>(std::uint32_t{texture_place.layer} | level_number << 16 |
+                                        static_cast<std::uint32_t>(texels_power) << 24 | kNormalBit);
   return record;
 }
 

@@ -32,6 +32,15 @@ enum class FaceProgramKind : std::uint8_t {
 };
 constexpr std::size_t kFaceProgramKinds = 8;
 
+constexpr bool is_lit(FaceProgramKind kind) {
+  return kind == FaceProgramKind::kOneLit || kind == FaceProgramKind::kLit;
+}
+// The kind for faces of several tiles that shows the same.
+constexpr FaceProgramKind without_one_tile(FaceProgramKind kind) {
+  if (kind == FaceProgramKind::kOneBlock) return FaceProgramKind::kBlocks;
+  return kind == FaceProgramKind::kOneLit ? FaceProgramKind::kLit : kind;
+}
+
 // A program, and the locations of its variables; -1 for those that it lacks.
 struct FaceProgram {
   FaceProgram(const Functions& gl, Program linked);

@@ -63,8 +63,7 @@ FaceQueue::Choice FaceQueue::choose(const FrameInput& input, const LitTiles* lit
                                     const render::DeferredFace& face) const {
   using enum FaceProgramKind;
   Choice choice = choose(input, lit, base::to_size(face.surface));
-  if (choice.program == kOneBlock) choice.program = kBlocks;
-  if (choice.program == kOneLit) choice.program = kLit;
+  choice.program = without_one_tile(choice.program);
   if (choice.program == kLit && face.opacity.color) choice = {kBlocks, 0, choice.surface};
   return choice;
 }

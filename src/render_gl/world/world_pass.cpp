@@ -1,30 +1,14 @@
 #include "render_gl/world/world_pass.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <utility>
 
 #include "base/check.h"
-#include "render/color/warped_rows.h"
 #include "render_gl/world/face_blend.h"
+#include "render_gl/world/face_view.h"
 #include "render_gl/world/tile_images.h"
 
 namespace temblor::render_gl {
-
-namespace {
-
-constexpr GLenum kRecordsUnit = 0, kAtlasUnit = 1, kSkyboxUnit = 2, kTexturesUnit = 3, kLightUnit = 4;
-// Doors may lie in the plane of a wall, which they cover on the CPU. This share of their distance, 0.03 units
-// at 1000, is more than what rounding does to either.
-constexpr float kBrushModelNearer = 1.0f / 32768;
-
-std::array<float, 9> columns(const math::Vec3d& x, const math::Vec3d& y, const math::Vec3d& z) {
-  const math::Vec3 a(x), b(y), c(z);
-  return {a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z};
-}
-
-}  // namespace
 
 WorldPass::WorldPass(const Functions& gl, FacePrograms programs, BlockAtlas atlas)
     : programs_(std::move(programs)), atlas_(std::move(atlas)), index_buffer_(make_buffer(gl)) {}
@@ -41,8 +25,8 @@ base::Result<WorldPass> WorldPass::make(const Functions& gl, const CacheOptions&
 
 CacheCounts WorldPass::counts() const {
   CacheCounts counts = atlas_.counts();
-  if (!lit_) return counts;
-  const CacheCounts& light = lit_->light_counts();
+  if (!method_) return counts;
+  const CacheCounts light = method_->light_counts();
   counts.hits += light.hits;
   counts.uploads += light.uploads;
   counts.evicted += light.evicted;
@@ -55,19 +39,11 @@ base::Status WorldPass::set_options(const Functions& gl, const DrawOptions& opti
   if (options == options_) return base::Ok{};
   // All of them are made before one is replaced: if that fails, the old options go on.
   TRY(FacePrograms programs, FacePrograms::make(gl, options, format));
-  std::optional<CardBlocks> card_blocks;
-  if (options.method == WorldMethod::kCardBlocks) {
-    TRY(card_blocks, CardBlocks::make(gl, atlas_));
+  if (options.method != options_.method) {
+    TRY(method_, make_lit_method(gl, options.method, atlas_));
   }
-  if (options.method == WorldMethod::kBlocks) {
-    lit_.reset();
-    lit_level_ = {};
-  } else if (!lit_) {
-    TRY(lit_, LitTiles::make(gl));
-  }
+  if (method_) method_->set_filter(gl, options.filter);
   programs_ = std::move(programs);
-  card_blocks_ = std::move(card_blocks);
-  if (lit_) lit_->set_filter(gl, options.filter);
   options_ = options;
   return base::Ok{};
 }
@@ -75,16 +51,7 @@ base::Status WorldPass::set_options(const Functions& gl, const DrawOptions& opti
 base::Status WorldPass::take_lit_tiles(const Functions& gl, const render::FrameContext& context,
                                        const DrawOptions& options, render::SurfaceRequests& io_requests) {
   TRY_STATUS(set_options(gl, options, context.format));
-  if (!lit_) return base::Ok{};
-  const world::Level& level = context.level();
-  if (lit_level_ != level.identity) {
-    lit_level_ = {};
-    TRY_STATUS(lit_->set_level(gl, level, context.colors));
-    lit_->set_filter(gl, options.filter);
-    lit_level_ = level.identity;
-  }
-  lit_->take(level, io_requests);
-  return base::Ok{};
+  return method_ ? method_->take(gl, context, io_requests) : base::Ok{};
 }
 
 base::Status WorldPass::prepare(const Functions& gl, const FrameInput& input) {
@@ -110,7 +77,7 @@ base::Status WorldPass::prepare(const Functions& gl, const FrameInput& input) {
   const base::Status loaded = gl.check("loading surfaces");
   if (!loaded.ok()) {  // texels and light may be missing
     atlas_.clear();
-    if (lit_) lit_->clear_light();
+    if (method_) method_->clear_light();
   }
   return loaded;
 }
@@ -143,7 +110,7 @@ base::Status WorldPass::number_instances(const Functions& gl, const FrameInput& 
 void WorldPass::begin_portion(const Functions& gl, const FrameInput& input) {
   const std::vector<QueuedFace>& faces = faces_.faces();
   atlas_.begin_portion();
-  if (lit_) lit_->begin_portion();
+  if (method_) method_->begin_portion();
   portion_.begin = portion_.next_tile > 0 ? portion_.end - 1 : portion_.end;
   bool is_full = false;
   for (portion_.end = portion_.begin; portion_.end < faces.size() && !is_full; ++portion_.end)
@@ -152,14 +119,13 @@ void WorldPass::begin_portion(const Functions& gl, const FrameInput& input) {
   if (is_full && portion_.next_tile == 0) --portion_.end;
   CHECK(!is_full || portion_.end > portion_.begin, "an empty portion has no room for a tile");
   table_.upload(gl);
-  if (card_blocks_) card_blocks_->draw(gl, *lit_, atlas_);
+  if (method_) method_->end_portion(gl, input, atlas_);
 }
 
 std::optional<TileRecord> WorldPass::place_draw(const Functions& gl, const FrameInput& input,
                                                 std::uint32_t draw) {
-  const world::Level& level = input.context.level();
-  if (!lit_ || !lit_->contains(draw)) return place_tile(gl, input, draw, atlas_);
-  return card_blocks_ ? card_blocks_->place(gl, level, draw, *lit_, atlas_) : lit_->place(gl, level, draw);
+  if (!method_ || !method_->tiles().contains(draw)) return place_tile(gl, input, draw, atlas_);
+  return method_->place(gl, input, draw, atlas_);
 }
 
 // Begins at tile portion_.next_tile. False: the portion is full, and the other tiles must wait for the next
@@ -189,51 +155,18 @@ const FaceProgram& WorldPass::begin_draw(const Functions& gl, const FrameInput& 
                                          bool is_translucent) const {
   using enum FaceProgramKind;
   FaceProgramKind kind = face.program;
-  const render::ViewFrame& view = input.record.view;
-  const render::Fog& fog = input.scene().fog;
-  const bool has_fog = fog.density > 0;
+  const bool has_fog = input.scene().fog.density > 0;
   // The programs of one tile take the distance of fog from 1/w, which parallel projection lacks.
-  if (has_fog && !view.perspective && kind == kOneBlock) kind = kBlocks;
-  if (has_fog && !view.perspective && kind == kOneLit) kind = kLit;
+  if (has_fog && !input.record.view.perspective) kind = without_one_tile(kind);
   const FaceProgram& shader = programs_.get(kind, has_fog, is_translucent);
-  gl.UseProgram(shader.program.name());
+  use_face_program(gl, input, shader, atlas_.format() == TexelFormat::k16Bit);
   gl.ActiveTexture(GL_TEXTURE0 + kRecordsUnit);
   gl.BindTexture(GL_TEXTURE_2D, table_.texture());
   gl.ActiveTexture(GL_TEXTURE0 + kAtlasUnit);
   gl.BindTexture(GL_TEXTURE_2D_ARRAY, atlas_.texture());
   gl.ActiveTexture(GL_TEXTURE0 + kSkyboxUnit);
   gl.BindTexture(GL_TEXTURE_2D_ARRAY, skybox_.texture());
-  if (kind == kOneLit || kind == kLit) {
-    gl.ActiveTexture(GL_TEXTURE0 + kTexturesUnit);
-    gl.BindTexture(GL_TEXTURE_2D_ARRAY, lit_->array_texture(face.array));
-    gl.ActiveTexture(GL_TEXTURE0 + kLightUnit);
-    gl.BindTexture(GL_TEXTURE_2D_ARRAY, lit_->light_texture());
-  }
-  gl.Uniform1i(shader.textures, kTexturesUnit);
-  gl.Uniform1i(shader.light_grids, kLightUnit);
-  gl.Uniform1i(shader.records, kRecordsUnit);
-  gl.Uniform1i(shader.atlas, kAtlasUnit);
-  gl.Uniform1i(shader.has_color_key, atlas_.format() == TexelFormat::k16Bit);
-  gl.Uniform1i(shader.skybox, kSkyboxUnit);
-  const math::Vec3 eye(view.eye_world);
-  gl.Uniform3f(shader.eye, eye.x, eye.y, eye.z);
-  const std::array<float, 9> axes = columns(view.axes.right, view.axes.up, view.axes.forward);
-  gl.UniformMatrix3fv(shader.view_axes, 1, GL_TRUE, axes.data());
-  gl.Uniform4f(shader.projection, static_cast<float>(2 * view.pixels_per_unit / view.width),
-               static_cast<float>(2 * view.pixels_per_unit / view.height), static_cast<float>(view.near_z),
-               view.perspective ? 1.0f : 0.0f);
-  gl.Uniform1i(shader.full_range, gl.ClipControl == nullptr);
-  const double time_s = input.scene().time_s;
-  gl.Uniform1f(shader.liquid_phase, static_cast<float>(render::compute_turbulence_phase(time_s)));
-  // Stock Quake's speeds. After 64 layers, every layer is where it began.
-  constexpr double kPeriod_texels = 128 * 64, kClouds_texels_s = 16, kBackground_texels_s = 8;
-  gl.Uniform2f(shader.sky_scroll, static_cast<float>(std::fmod(time_s * kClouds_texels_s, kPeriod_texels)),
-               static_cast<float>(std::fmod(time_s * kBackground_texels_s, kPeriod_texels)));
-  const formats::Rgb fog_color = render::to_bytes(fog.color);
-  gl.Uniform1f(shader.fog_density, fog.density);
-  gl.Uniform3f(shader.fog_color, static_cast<float>(fog_color.b) / 255, static_cast<float>(fog_color.g) / 255,
-               static_cast<float>(fog_color.r) / 255);
-  if (input.index_tables != nullptr) input.index_tables->use_fog(gl, shader.index);
+  if (is_lit(kind)) method_->use(gl, shader, face.array);
   gl.BindVertexArray(mesh_.vertex_array());
   return shader;
 }
@@ -243,13 +176,8 @@ void WorldPass::draw_faces(const Functions& gl, const FrameInput& input, const F
                            std::span<const QueuedFace> faces) const {
   if (faces.empty() || faces.front().index_count == 0) return;
   const std::uint32_t instance = faces.front().instance, first_index = faces.front().first_index;
-  const render::ModelView& model = input.record.edges.model_views[instance];
-  const std::array<float, 9> axes = columns(model.x_axis, model.y_axis, model.z_axis);
-  const math::Vec3 origin(model.origin_world);
-  gl.UniformMatrix3fv(program.model_axes, 1, GL_FALSE, axes.data());
-  gl.Uniform3f(program.model_origin, origin.x, origin.y, origin.z);
+  set_face_instance(gl, input, program, instance);
   gl.Uniform1ui(program.first_record, record_offset_[instance]);
-  gl.Uniform1f(program.nearer, instance > 0 ? kBrushModelNearer : 0);
   const std::uint32_t end_index = faces.back().first_index + faces.back().index_count;
   gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(end_index - first_index), GL_UNSIGNED_INT,
                   reinterpret_cast<const void*>(std::size_t{first_index} * sizeof(std::uint32_t)));

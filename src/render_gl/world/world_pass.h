@@ -13,9 +13,8 @@
 #include <span>
 #include <vector>
 
-#include "render_gl/built/card_blocks.h"
 #include "render_gl/frame/target.h"
-#include "render_gl/lit/lit_tiles.h"
+#include "render_gl/lit/lit_method.h"
 #include "render_gl/surfaces/block_atlas.h"
 #include "render_gl/surfaces/tile_table.h"
 #include "render_gl/world/face_programs.h"
@@ -50,7 +49,7 @@ class WorldPass {
 
   // Counts of the last frame: blocks, textures that repeat, and grids of light.
   CacheCounts counts() const;
-  std::size_t cache_bytes() const { return atlas_.bytes() + (lit_ ? lit_->bytes() : 0); }
+  std::size_t cache_bytes() const { return atlas_.bytes() + (method_ ? method_->bytes() : 0); }
 
  private:
   // The queued faces whose texels are in the atlas now. The last one goes on in the next portion, with
@@ -68,7 +67,7 @@ class WorldPass {
   base::Status set_level(const Functions& gl, const FrameInput& input);
   base::Status set_options(const Functions& gl, const DrawOptions& options, render::PixelFormat format);
   // Null: no face is drawn from a texture and its light.
-  const LitTiles* lit() const { return lit_ && !card_blocks_ ? &*lit_ : nullptr; }
+  const LitTiles* lit() const { return method_ && method_->has_lit_faces() ? &method_->tiles() : nullptr; }
   std::optional<TileRecord> place_draw(const Functions& gl, const FrameInput& input, std::uint32_t draw);
   base::Status number_instances(const Functions& gl, const FrameInput& input);
   void begin_portion(const Functions& gl, const FrameInput& input);
@@ -84,9 +83,7 @@ class WorldPass {
   FacePrograms programs_;
   DrawOptions options_;  // of the programs
   BlockAtlas atlas_;
-  std::optional<LitTiles> lit_;
-  std::optional<CardBlocks> card_blocks_;
-  std::shared_ptr<const world::LevelIdentity> lit_level_;
+  std::unique_ptr<LitMethod> method_;  // null: all lit faces have surface blocks
   TileTable table_;
   std::shared_ptr<const world::LevelIdentity> level_;
   LevelMesh mesh_;

@@ -1,0 +1,52 @@
+#include "render_gl/lit/lit_method.h"
+
+#include "render_gl/built/card_blocks.h"
+#include "render_gl/lit/grid_method.h"
+
+namespace temblor::render_gl {
+
+void LitMethod::set_filter(const Functions& gl, render::TextureFilter filter) {
+  filter_ = filter;
+  tiles_.set_filter(gl, filter);
+}
+
+base::Status LitMethod::set_level(const Functions& gl, const render::FrameContext& context) {
+  return tiles_.set_level(gl, context.level(), context.colors);
+}
+
+base::Status LitMethod::take(const Functions& gl, const render::FrameContext& context,
+                             render::SurfaceRequests& io_requests) {
+  const world::Level& level = context.level();
+  if (level_ != level.identity) {
+    level_ = {};
+    TRY_STATUS(set_level(gl, context));
+    tiles_.set_filter(gl, filter_);
+    level_ = level.identity;
+  }
+  begin_frame();
+  const auto can_light_tile = [this](const render::BlockRequest& request) { return can_light(request); };
+  tiles_.take(level, can_light_tile, io_requests);
+  return base::Ok{};
+}
+
+void LitMethod::use(const Functions& gl, const FaceProgram& program, std::uint16_t array) const {
+  constexpr GLenum kTexturesUnit = 3;
+  gl.ActiveTexture(GL_TEXTURE0 + kTexturesUnit);
+  gl.BindTexture(GL_TEXTURE_2D_ARRAY, tiles_.array_texture(array));
+  gl.Uniform1i(program.textures, kTexturesUnit);
+}
+
+base::Result<std::unique_ptr<LitMethod>> make_lit_method(const Functions& gl, WorldMethod method,
+                                                         const BlockAtlas& atlas) {
+  switch (method) {
+    case WorldMethod::kBlocks:
+      return std::unique_ptr<LitMethod>();
+    case WorldMethod::kCardBlocks:
+      return CardBlocks::make(gl, atlas);
+    case WorldMethod::kLitTextures:
+      return GridMethod::make(gl);
+  }
+  return std::unique_ptr<LitMethod>();
+}
+
+}  // namespace temblor::render_gl

@@ -1,0 +1,76 @@
+// How the card gets the texels of lit tiles: one class for each WorldMethod that does without the CPU's
+// surface blocks. A method takes its tiles out of the frame's requests, and makes their records in the
+// TileTable. Tiles that only the CPU can compose keep their blocks.
+//
+//   LitMethod --> GridMethod     light in grids that the CPU sums: kLitTextures
+//                 \--> CardBlocks    the product is drawn into surface blocks: kCardBlocks
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "render_gl/lit/lit_tiles.h"
+#include "render_gl/surfaces/block_atlas.h"
+#include "render_gl/surfaces/tile_table.h"
+#include "render_gl/world/face_programs.h"
+#include "render_gl/world/frame_input.h"
+
+namespace temblor::render_gl {
+
+class LitMethod {
+ public:
+  virtual ~LitMethod() = default;
+  LitMethod(const LitMethod&) = delete;
+  LitMethod& operator=(const LitMethod&) = delete;
+
+  void set_filter(const Functions& gl, render::TextureFilter filter);
+  // Prepares for the level, and takes the tiles that need no surface block out of the frame's requests, which
+  // must live as long as the frame. Comes first in each frame. Fails if the card lacks the memory.
+  base::Status take(const Functions& gl, const render::FrameContext& context,
+                    render::SurfaceRequests& io_requests);
+  // The frame's tiles, and their textures.
+  const LitTiles& tiles() const { return tiles_; }
+
+  // Whether faces are drawn from the tiles' textures and light. False: the method draws surface blocks, which
+  // faces show.
+  virtual bool has_lit_faces() const { return true; }
+  // The tiles that follow are drawn together, up to end_portion().
+  virtual void begin_portion() {}
+  // The record of a lit tile. Nothing if the portion is full.
+  virtual std::optional<TileRecord> place(const Functions& gl, const FrameInput& input, std::uint32_t draw,
+                                          BlockAtlas& io_atlas) = 0;
+  // Brings what the portion needs to the card. May bind another framebuffer and viewport.
+  virtual void end_portion(const Functions&, const FrameInput&, const BlockAtlas&) {}
+
+  // Sets what is the method's own in the program in use, for faces with textures of this array.
+  virtual void use(const Functions& gl, const FaceProgram& program, std::uint16_t array) const;
+
+  // Uploads all light again.
+  virtual void clear_light() {}
+  // How the last frame used the card's memory of light.
+  virtual CacheCounts light_counts() const { return {}; }
+  // The memory of the card.
+  virtual std::size_t bytes() const { return tiles_.bytes(); }
+
+ protected:
+  LitMethod() = default;
+  // For another level. Nothing is left of the last one if it fails.
+  virtual base::Status set_level(const Functions& gl, const render::FrameContext& context);
+  virtual void begin_frame() {}
+  // Whether the method can light a tile whose texture it has.
+  virtual bool can_light(const render::BlockRequest&) const { return true; }
+
+  LitTiles tiles_;
+
+ private:
+  render::TextureFilter filter_ = render::TextureFilter::kNearest;
+  std::shared_ptr<const world::LevelIdentity> level_;
+};
+
+// Null for WorldMethod::kBlocks. Fails if the card lacks the memory, cannot draw into `atlas`, or does not
+// accept a shader.
+base::Result<std::unique_ptr<LitMethod>> make_lit_method(const Functions& gl, WorldMethod method,
+                                                         const BlockAtlas& atlas);
+
+}  // namespace temblor::render_gl
