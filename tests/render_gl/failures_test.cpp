@@ -161,22 +161,26 @@ TEST_P(FailingCard, NoticesThatTheCardWasReset) {
   EXPECT_EQ(drawn.error().what, "the OpenGL context is lost: the graphics card was reset");
 }
 
-TEST_P(FailingCard, SurvivesFailuresWhenItBuildsBlocks) {
-  method_ = WorldMethod::kCardBlocks;
-  ASSERT_EQ(run(), "");
-  const InjectedGl::Calls all = card_->calls;
-  const auto fail_each = [&](int count, int& io_fault, const char* line) {
-    for (int number = 0; number < count; ++number) {
-      io_fault = number;
-      EXPECT_TRUE(contains(run(), line)) << number;
-    }
-    io_fault = -1;
-  };
-  fail_each(all.compile, card_->faults.compile, "the OpenGL driver does not compile a shader");
-  fail_each(all.link, card_->faults.link, "the OpenGL driver does not link a shader");
-  fail_each(all.texture, card_->faults.texture, "the graphics card is out of memory");
-  fail_each(all.buffer, card_->faults.buffer, "the graphics card is out of memory");
-  fail_each(all.framebuffer, card_->faults.framebuffer, "the graphics card cannot draw into a texture");
+// The methods whose objects differ from those of kLitTextures. Indexed frames have no methods.
+TEST_P(FailingCard, SurvivesFailuresOfEachMethod) {
+  if (GetParam() == render::PixelFormat::kIndexed) return;
+  for (const WorldMethod method : {WorldMethod::kCardBlocks, WorldMethod::kLightPass}) {
+    method_ = method;
+    ASSERT_EQ(run(), "");
+    const InjectedGl::Calls all = card_->calls;
+    const auto fail_each = [&](int count, int& io_fault, const char* line) {
+      for (int number = 0; number < count; ++number) {
+        io_fault = number;
+        EXPECT_TRUE(contains(run(), line)) << number;
+      }
+      io_fault = -1;
+    };
+    fail_each(all.compile, card_->faults.compile, "the OpenGL driver does not compile a shader");
+    fail_each(all.link, card_->faults.link, "the OpenGL driver does not link a shader");
+    fail_each(all.texture, card_->faults.texture, "the graphics card is out of memory");
+    fail_each(all.buffer, card_->faults.buffer, "the graphics card is out of memory");
+    fail_each(all.framebuffer, card_->faults.framebuffer, "the graphics card cannot draw into a texture");
+  }
 }
 
 // A frame that fails leaves the renderer as it was.

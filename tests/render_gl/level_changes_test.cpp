@@ -84,7 +84,9 @@ class LevelChanges : public testing::TestWithParam<render::PixelFormat> {
 TEST_P(LevelChanges, KeepNothingOfOldLevels) {
   keep_nothing(WorldMethod::kBlocks);
   if (GetParam() == render::PixelFormat::kIndexed) return;
-  for (const WorldMethod method : {WorldMethod::kLitTextures, WorldMethod::kCardBlocks}) keep_nothing(method);
+  for (const WorldMethod method :
+       {WorldMethod::kLitTextures, WorldMethod::kCardBlocks, WorldMethod::kLightPass})
+    keep_nothing(method);
 }
 
 INSTANTIATE_TEST_SUITE_P(BothFormats, LevelChanges,

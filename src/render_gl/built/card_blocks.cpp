@@ -80,8 +80,8 @@ CardBlocks::CardBlocks(const Functions& gl, LightGrids light, Program program, F
 
 base::Result<std::unique_ptr<LitMethod>> CardBlocks::make(const Functions& gl, const BlockAtlas& atlas) {
   const std::string vertex = std::string(kLitTilePart) + kVertexShader;
-  const std::string fragment =
-      std::string("#define FILTER 0\n") + kLitTilePart + kLitColorPart + kFragmentShader;
+  std::string fragment = "#define FILTER 0\n";
+  for (const char* part : {kLitTilePart, kGridLightPart, kLitColorPart, kFragmentShader}) fragment += part;
   TRY(Program program, make_program(gl, vertex.c_str(), fragment.c_str()));
   Framebuffer framebuffer = make_framebuffer(gl);
   gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());

@@ -1,5 +1,5 @@
-// Texture times light in one pass (WorldMethod::kLitTextures). The light is in grids of samples (LightGrids),
-// which the card interpolates.
+// Texture times light, in one pass (WorldMethod::kLitTextures) or in several ones (kLightPass). The light is
+// in grids of samples (LightGrids), which the card interpolates.
 #pragma once
 
 #include "render_gl/lit/light_grids.h"

@@ -44,6 +44,7 @@ base::Result<std::unique_ptr<LitMethod>> make_lit_method(const Functions& gl, Wo
     case WorldMethod::kCardBlocks:
       return CardBlocks::make(gl, atlas);
     case WorldMethod::kLitTextures:
+    case WorldMethod::kLightPass:
       return GridMethod::make(gl);
   }
   return std::unique_ptr<LitMethod>();

@@ -2,7 +2,7 @@
 // surface blocks. A method takes its tiles out of the frame's requests, and makes their records in the
 // TileTable. Tiles that only the CPU can compose keep their blocks.
 //
-//   LitMethod --> GridMethod     light in grids that the CPU sums: kLitTextures
+//   LitMethod --> GridMethod     light in grids that the CPU sums: kLitTextures, kLightPass
 //                 \--> CardBlocks    the product is drawn into surface blocks: kCardBlocks
 #pragma once
 

@@ -31,8 +31,8 @@ LitTile read_lit_tile(uvec4 image, vec4 mapping) {
 }
 )";
 
-inline constexpr const char* kLitColorPart = R"(
-uniform sampler2DArray textures;
+// find_light(tile, texel): the light of a texel of the tile. This one is for LightGrids.
+inline constexpr const char* kGridLightPart = R"(
 uniform sampler2DArray light_grids;
 
 const float kLightScale = 32640.0 / 16384.0;
@@ -42,6 +42,12 @@ vec3 find_light(LitTile tile, vec2 texel) {
   vec2 size = vec2(textureSize(light_grids, 0).xy);
   return textureLod(light_grids, vec3(at / size, tile.light_layer), 0.0).rgb * kLightScale;
 }
+)";
+
+// Follows kLitTilePart and find_light(). With one of TEXTURE_PASS, LIGHT_PASS, and BRIGHT_PASS, the color is
+// that of a pass (lit_passes.h).
+inline constexpr const char* kLitColorPart = R"(
+uniform sampler2DArray textures;
 
 // `at`: texels of the mip level from the tile's first one. `step_x` and `step_y`: how it changes from pixel to
 // pixel.
@@ -70,6 +76,14 @@ vec3 find_lit_color(LitTile tile, vec2 at, vec2 step_x, vec2 step_y) {
 #endif
 #endif
   // Full-bright texels have alpha 0.
+#if defined(TEXTURE_PASS)
+  return own.rgb;
+#elif defined(LIGHT_PASS)
+  return 0.5 * find_light(tile, texel);
+#elif defined(BRIGHT_PASS)
+  if (own.a > 0.5) discard;
+  return own.rgb;
+#endif
   return min(own.rgb * mix(vec3(1), find_light(tile, texel), own.a), 1.0);
 }
 )";
@@ -111,6 +125,9 @@ void main() {
   // In 256ths, and halves are rounded up, as on the CPU.
   float share = floor((1.0 - exp(-thickness * thickness)) * 256.0 + 0.5) / 256.0;
   color.rgb = mix(color.rgb, fog_color, share) + 0.001 / 255.0;
+#ifdef FOG_PASS
+  color = vec4(fog_color, share);
+#endif
 #endif
 }
 )";

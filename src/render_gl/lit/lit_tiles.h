@@ -26,8 +26,9 @@ class LitTiles {
   bool contains(std::uint32_t draw) const { return draw < by_draw_.size() && by_draw_[draw] != nullptr; }
   // The request that take() found for a lit tile.
   const render::BlockRequest& request(std::uint32_t draw) const { return *by_draw_[draw]; }
-  // The array that has its texture.
+  // The array that has its texture, and whether some of its texels are full-bright.
   std::uint16_t array(std::uint32_t draw) const { return place(draw).array; }
+  bool has_bright(std::uint32_t draw) const { return place(draw).has_bright; }
   // The record of a lit tile, without the place of its light. `texels_power`: its samples of light are
   // 2^texels_power texels of its mip level apart.
   TileRecord make_record(const world::Level& level, std::uint32_t draw, int texels_power) const;

@@ -106,7 +106,7 @@ base::Result<TextureArrays> TextureArrays::make(const Functions& gl, const world
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
   for (std::size_t number = 0; number < level.textures.size(); ++number) {
     const world::Texture& texture = level.textures[number];
-    const std::optional<Place> place = made.places_[number];
+    std::optional<Place>& place = made.places_[number];
     if (!place) continue;
     gl.BindTexture(GL_TEXTURE_2D_ARRAY, made.texture(place->array));
     std::vector<std::uint32_t> texels;
@@ -116,6 +116,8 @@ base::Result<TextureArrays> TextureArrays::make(const Functions& gl, const world
       texels = mip <= kLastMip
                    ? read_mip(texture, mip, colors)
                    : halve_level(texels, side_at(texture.width, mip - 1), side_at(texture.height, mip - 1));
+      place->has_bright |=
+          std::ranges::any_of(texels, [](std::uint32_t texel) { return texel >> 24 != 255; });
       gl.TexSubImage3D(GL_TEXTURE_2D_ARRAY, i, 0, 0, place->layer, width, height, 1, GL_RGBA,
                        GL_UNSIGNED_BYTE, texels.data());
     }

@@ -27,6 +27,7 @@ class TextureArrays {
   struct Place {
     std::uint16_t array = 0, layer = 0;
     std::int8_t finest_mip = 0, levels = 1;
+    bool has_bright = false;  // some texels are full-bright
   };
   // Nothing if the texture is not here.
   std::optional<Place> find(world::TextureIndex texture) const;

@@ -1,5 +1,6 @@
 #include "render_gl/world/face_programs.h"
 
+#include <algorithm>
 #include <string>
 
 #include "render_gl/gl/projection.h"
@@ -16,27 +17,12 @@ namespace {
 constexpr std::array<const char*, kFaceProgramKinds> kKindNames = {"kBlock", "kBlock",  "kRepeat", "kLiquid",
                                                                    "kSky",   "kSkybox", "kLit",    "kLit"};
 
-bool is_needed(FaceProgramKind kind, const DrawOptions& options) {
-  if (kind == FaceProgramKind::kOneLit || kind == FaceProgramKind::kLit)
-    return options.method == WorldMethod::kLitTextures;
-  return kind != FaceProgramKind::kOneBlock || options.filter == render::TextureFilter::kNearest;
-}
+// The definitions of a pass for kLitColorPart and the shaders that follow it; kWhole: nothing.
+constexpr std::array<const char*, kLitPassKinds> kPassNames = {
+    "", "#define TEXTURE_PASS\n", "#define LIGHT_PASS\n", "#define BRIGHT_PASS\n", "#define FOG_PASS\n"};
 
-base::Result<Program> make_face_program(const Functions& gl, FaceProgramKind kind, bool has_fog,
-                                        const DrawOptions& options, ShaderLook look) {
-  using enum FaceProgramKind;
-  std::string vertex = std::string(kProjectionPart) + kFaceVertexPart, fragment = look_part(look);
-  if (has_fog) fragment += "#define FOG\n";
-  fragment += std::string("#define KIND ") + kKindNames[static_cast<std::size_t>(kind)] + "\n";
-  fragment += "#define FILTER " + std::to_string(static_cast<int>(options.filter)) + "\n";
-  if (options.sharp_texels) fragment += "#define SHARP\n";
-  if (kind == kOneLit) vertex += kLitTilePart;
-  vertex += kind == kOneBlock ? kBlockVertexShader : kind == kOneLit ? kLitVertexShader : kWorldVertexShader;
-  fragment += std::string(kLitTilePart) + kLitColorPart;
-  fragment += kind == kOneBlock ? kBlockFragmentShader
-              : kind == kOneLit ? kLitFragmentShader
-                                : kWorldFragmentShader;
-  return make_program(gl, vertex.c_str(), fragment.c_str());
+bool has_lit_faces(WorldMethod method) {
+  return method != WorldMethod::kBlocks && method != WorldMethod::kCardBlocks;
 }
 
 }  // namespace
@@ -64,18 +50,53 @@ FaceProgram::FaceProgram(const Functions& gl, Program linked)
   fog_color = find("fog_color");
 }
 
+// Several passes are for opaque faces only, and kOneLit is, too.
+bool FacePrograms::is_needed(const Variant& variant, const DrawOptions& options) {
+  using enum FaceProgramKind;
+  if (!is_lit(variant.kind))
+    return variant.pass == LitPassKind::kWhole &&
+           (variant.kind != kOneBlock || options.filter == render::TextureFilter::kNearest);
+  if (!has_lit_faces(options.method)) return false;
+  if (variant.pass == LitPassKind::kWhole && variant.kind == kLit) return true;
+  return (variant.pass == LitPassKind::kWhole || !variant.has_fog) &&
+         std::ranges::any_of(find_lit_passes(options.method),
+                             [&](const LitPass& pass) { return pass.kind == variant.pass; });
+}
+
+base::Result<Program> FacePrograms::make_program(const Functions& gl, const Variant& variant,
+                                                 const DrawOptions& options, ShaderLook look) {
+  using enum FaceProgramKind;
+  const FaceProgramKind kind = variant.kind;
+  std::string vertex = std::string(kProjectionPart) + kFaceVertexPart, fragment = look_part(look);
+  // Passes meet where depth is equal, to the last bit.
+  if (variant.pass != LitPassKind::kWhole) vertex = "invariant gl_Position;\n" + vertex;
+  if (variant.has_fog || variant.pass == LitPassKind::kFog) fragment += "#define FOG\n";
+  fragment += kPassNames[static_cast<std::size_t>(variant.pass)];
+  fragment += std::string("#define KIND ") + kKindNames[static_cast<std::size_t>(kind)] + "\n";
+  fragment += "#define FILTER " + std::to_string(static_cast<int>(options.filter)) + "\n";
+  if (options.sharp_texels) fragment += "#define SHARP\n";
+  if (kind == kOneLit) vertex += kLitTilePart;
+  vertex += kind == kOneBlock ? kBlockVertexShader : kind == kOneLit ? kLitVertexShader : kWorldVertexShader;
+  fragment += std::string(kLitTilePart) + kGridLightPart + kLitColorPart;
+  fragment += kind == kOneBlock ? kBlockFragmentShader
+              : kind == kOneLit ? kLitFragmentShader
+                                : kWorldFragmentShader;
+  return render_gl::make_program(gl, vertex.c_str(), fragment.c_str());
+}
+
 base::Result<FacePrograms::Programs> FacePrograms::make_programs(const Functions& gl,
                                                                  const DrawOptions& options,
                                                                  ShaderLook look) {
   Programs made;
-  for (std::size_t number = 0; number < kFaceProgramKinds; ++number)
-    for (const bool has_fog : {false, true}) {
-      const auto kind = static_cast<FaceProgramKind>(number);
-      made.emplace_back();
-      if (!is_needed(kind, options)) continue;
-      TRY(Program program, make_face_program(gl, kind, has_fog, options, look));
-      made.back().emplace(gl, std::move(program));
-    }
+  for (std::size_t pass = 0; pass < kLitPassKinds; ++pass)
+    for (std::size_t kind = 0; kind < kFaceProgramKinds; ++kind)
+      for (const bool has_fog : {false, true}) {
+        const Variant variant{static_cast<FaceProgramKind>(kind), has_fog, static_cast<LitPassKind>(pass)};
+        made.emplace_back();
+        if (!is_needed(variant, options)) continue;
+        TRY(Program program, make_program(gl, variant, options, look));
+        made.back().emplace(gl, std::move(program));
+      }
   return made;
 }
 

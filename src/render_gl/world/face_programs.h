@@ -14,6 +14,7 @@
 #include "render_gl/frame/index_tables.h"
 #include "render_gl/gl/objects.h"
 #include "render_gl/gl/shader_look.h"
+#include "render_gl/passes/lit_passes.h"
 
 namespace temblor::render_gl {
 
@@ -57,15 +58,31 @@ class FacePrograms {
   static base::Result<FacePrograms> make(const Functions& gl, const DrawOptions& options,
                                          render::PixelFormat format);
 
-  // `is_translucent`: never kOneBlock and kOneLit.
-  const FaceProgram& get(FaceProgramKind kind, bool has_fog, bool is_translucent) const {
+  // `is_translucent`: never kOneBlock and kOneLit. `pass`: one of the method's; kWhole if the kind is not
+  // lit, or is_translucent.
+  const FaceProgram& get(FaceProgramKind kind, bool has_fog, bool is_translucent, LitPassKind pass) const {
     const Programs& programs = is_translucent && !blended_.empty() ? blended_ : programs_;
-    return *programs[static_cast<std::size_t>(kind) * 2 + has_fog];
+    return *programs[find_number({kind, pass == LitPassKind::kWhole ? has_fog : false, pass})];
   }
 
  private:
   FacePrograms() = default;
-  using Programs = std::vector<std::optional<FaceProgram>>;  // by kind, without and with fog
+  // All that distinguishes the programs of one look.
+  struct Variant {
+    FaceProgramKind kind;
+    bool has_fog;  // kWhole only: LitPassKind::kFog draws nothing else
+    LitPassKind pass;
+  };
+  static std::size_t find_number(const Variant& variant) {
+    return (static_cast<std::size_t>(variant.pass) * kFaceProgramKinds +
+            static_cast<std::size_t>(variant.kind)) *
+               2 +
+           variant.has_fog;
+  }
+  using Programs = std::vector<std::optional<FaceProgram>>;  // by find_number()
+  static bool is_needed(const Variant& variant, const DrawOptions& options);
+  static base::Result<Program> make_program(const Functions& gl, const Variant& variant,
+                                            const DrawOptions& options, ShaderLook look);
   static base::Result<Programs> make_programs(const Functions& gl, const DrawOptions& options,
                                               ShaderLook look);
 

@@ -50,12 +50,12 @@ FaceQueue::Choice FaceQueue::choose(const FrameInput& input, const LitTiles* lit
   const std::uint32_t tiles = std::uint32_t{surface.tiles.s} * surface.tiles.t;
   if (render::has_surface(face)) {
     if (const auto draw = lit == nullptr ? std::nullopt : find_lit_draw(input, *lit, number))
-      return {tiles == 1 ? kOneLit : kLit, lit->array(*draw), number};
+      return {tiles == 1 ? kOneLit : kLit, lit->array(*draw), lit->has_bright(*draw), number};
     const bool is_blended = input.options.filter != render::TextureFilter::kNearest;
-    return {tiles == 1 && !is_blended ? kOneBlock : kBlocks, 0, number};
+    return {tiles == 1 && !is_blended ? kOneBlock : kBlocks, 0, false, number};
   }
-  if (face.kind == world::FaceKind::kSky) return {input.sources.skybox ? kSkybox : kSky, 0, number};
-  return {face.kind == world::FaceKind::kLiquid ? kLiquid : kTexture, 0, number};
+  if (face.kind == world::FaceKind::kSky) return {input.sources.skybox ? kSkybox : kSky, 0, false, number};
+  return {face.kind == world::FaceKind::kLiquid ? kLiquid : kTexture, 0, false, number};
 }
 
 // Holes and opacity need the programs of several tiles. One color for all texels needs none of them.
@@ -64,7 +64,7 @@ FaceQueue::Choice FaceQueue::choose(const FrameInput& input, const LitTiles* lit
   using enum FaceProgramKind;
   Choice choice = choose(input, lit, base::to_size(face.surface));
   choice.program = without_one_tile(choice.program);
-  if (choice.program == kLit && face.opacity.color) choice = {kBlocks, 0, choice.surface};
+  if (choice.program == kLit && face.opacity.color) choice = {kBlocks, 0, false, choice.surface};
   return choice;
 }
 
@@ -92,6 +92,7 @@ void FaceQueue::add(const FrameInput& input, const Choice& choice, const render:
   const render::ScreenSurface& surface = surfaces[number];
   QueuedFace face{.program = choice.program,
                   .array = choice.array,
+                  .has_bright = choice.has_bright,
                   .instance = surface.instance,
                   .face = surface.face,
                   .surface = static_cast<std::uint32_t>(number),

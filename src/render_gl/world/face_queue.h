@@ -17,6 +17,7 @@ namespace temblor::render_gl {
 struct QueuedFace {
   FaceProgramKind program;
   std::uint16_t array;     // of the texture of a lit face; else 0
+  bool has_bright;         // whether that texture has full-bright texels
   std::uint32_t instance;  // 0: the world; i + 1: Scene::brush_models[i]
   world::FaceIndex face;
   // Its fragments: EdgeTable::surfaces from `surface` on.
@@ -44,6 +45,7 @@ class FaceQueue {
   struct Choice {
     FaceProgramKind program;
     std::uint16_t array;
+    bool has_bright;
     std::size_t surface;
   };
   Choice choose(const FrameInput& input, const LitTiles* lit, std::size_t surface) const;

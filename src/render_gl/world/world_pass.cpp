@@ -152,13 +152,15 @@ bool WorldPass::place_face(const Functions& gl, const FrameInput& input, const Q
 }
 
 const FaceProgram& WorldPass::begin_draw(const Functions& gl, const FrameInput& input, const QueuedFace& face,
-                                         bool is_translucent) const {
+                                         LitPassKind pass) const {
   using enum FaceProgramKind;
   FaceProgramKind kind = face.program;
   const bool has_fog = input.scene().fog.density > 0;
   // The programs of one tile take the distance of fog from 1/w, which parallel projection lacks.
   if (has_fog && !input.record.view.perspective) kind = without_one_tile(kind);
-  const FaceProgram& shader = programs_.get(kind, has_fog, is_translucent);
+  const bool is_translucent = face.opacity != nullptr && face.opacity->is_translucent();
+  const FaceProgram& shader =
+      programs_.get(kind, has_fog, is_translucent, is_lit(kind) ? pass : LitPassKind::kWhole);
   use_face_program(gl, input, shader, atlas_.format() == TexelFormat::k16Bit);
   gl.ActiveTexture(GL_TEXTURE0 + kRecordsUnit);
   gl.BindTexture(GL_TEXTURE_2D, table_.texture());
@@ -184,7 +186,7 @@ void WorldPass::draw_faces(const Functions& gl, const FrameInput& input, const F
 }
 
 // Faces with the same program and texture array follow one another.
-void WorldPass::draw_opaque_portion(const Functions& gl, const FrameInput& input) const {
+void WorldPass::draw_lit_pass(const Functions& gl, const FrameInput& input, const LitPass& pass) const {
   const std::size_t end = std::min(portion_.end, faces_.first_translucent());
   const std::span<const QueuedFace> faces(faces_.faces());
   const FaceProgram* bound = nullptr;
@@ -192,14 +194,31 @@ void WorldPass::draw_opaque_portion(const Functions& gl, const FrameInput& input
   const auto has_same_textures = [](const QueuedFace& a, const QueuedFace& b) {
     return a.program == b.program && a.array == b.array;
   };
+  const auto is_in_pass = [&](const QueuedFace& face) {
+    if (!is_lit(face.program)) return pass.is_first;
+    return pass.kind != LitPassKind::kBright || face.has_bright;
+  };
   for (std::size_t begin = portion_.begin, i = begin; begin < end; begin = i) {
     const QueuedFace& first = faces[begin];
-    while (i < end && faces[i].instance == first.instance && has_same_textures(faces[i], first)) ++i;
-    if (before == nullptr || !has_same_textures(*before, first)) bound = &begin_draw(gl, input, first, false);
+    while (i < end && faces[i].instance == first.instance && has_same_textures(faces[i], first) &&
+           is_in_pass(faces[i]) == is_in_pass(first))
+      ++i;
+    if (!is_in_pass(first)) continue;
+    if (before == nullptr || !has_same_textures(*before, first))
+      bound = &begin_draw(gl, input, first, pass.kind);
     before = &first;
     draw_faces(gl, input, *bound, faces.subspan(begin, i - begin));
   }
   gl.BindVertexArray(0);
+}
+
+void WorldPass::draw_opaque_portion(const Functions& gl, const FrameInput& input) const {
+  for (const LitPass& pass : find_lit_passes(options_.method)) {
+    if (pass.kind == LitPassKind::kFog && !(input.scene().fog.density > 0)) continue;
+    begin_lit_pass(gl, pass);
+    draw_lit_pass(gl, input, pass);
+  }
+  end_lit_passes(gl);
 }
 
 void WorldPass::draw_opaque(const Functions& gl, const FrameInput& input, const Target& target) {
@@ -217,7 +236,7 @@ base::Status WorldPass::draw_translucent_portion(const Functions& gl, const Fram
   const std::optional<PixelRect> rect =
       input.index_tables != nullptr ? find_face_rect(input, face) : std::nullopt;
   if (face.index_count == 0 || (input.index_tables != nullptr && !rect)) return base::Ok{};
-  const FaceProgram& program = begin_draw(gl, input, face, true);
+  const FaceProgram& program = begin_draw(gl, input, face, LitPassKind::kWhole);
   if (input.index_tables != nullptr) {
     const IndexBlend blend = choose_blend(input.context.colors, *face.opacity);
     TRY_STATUS(input.index_tables->use_blend(gl, program.index, blend, *rect, io_target));

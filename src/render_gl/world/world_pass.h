@@ -73,9 +73,10 @@ class WorldPass {
   void begin_portion(const Functions& gl, const FrameInput& input);
   bool place_face(const Functions& gl, const FrameInput& input, const QueuedFace& face);
   const FaceProgram& begin_draw(const Functions& gl, const FrameInput& input, const QueuedFace& face,
-                                bool is_translucent) const;
+                                LitPassKind pass) const;
   void draw_faces(const Functions& gl, const FrameInput& input, const FaceProgram& program,
                   std::span<const QueuedFace> faces) const;
+  void draw_lit_pass(const Functions& gl, const FrameInput& input, const LitPass& pass) const;
   void draw_opaque_portion(const Functions& gl, const FrameInput& input) const;
   base::Status draw_translucent_portion(const Functions& gl, const FrameInput& input, std::size_t number,
                                         Target& io_target) const;

@@ -190,6 +190,10 @@ void main() {
     // In 256ths, and halves are rounded up, as on the CPU.
     float share = kind == kSky || kind == kSkybox ? 0.5 : floor((1.0 - exp(-thickness * thickness)) * 256.0 + 0.5) / 256.0;
     color.rgb = mix(color.rgb, fog_color, share) + 0.001 / 255.0;
+#ifdef FOG_PASS
+    color = vec4(fog_color, share);
+    return;
+#endif
 #endif
   }
 #endif

@@ -140,7 +140,8 @@ base::Result<std::string> describe_driver(const CardBench& bench) {
 }
 
 // The methods next to the caches of blocks.
-constexpr WorldMethod kOtherMethods[] = {WorldMethod::kCardBlocks, WorldMethod::kLitTextures};
+constexpr WorldMethod kOtherMethods[] = {WorldMethod::kCardBlocks, WorldMethod::kLitTextures,
+                                         WorldMethod::kLightPass};
 
 const char* method_name(WorldMethod method) {
   switch (method) {
@@ -150,6 +151,8 @@ const char* method_name(WorldMethod method) {
       return "card's blocks";
     case WorldMethod::kLitTextures:
       return "lit textures";
+    case WorldMethod::kLightPass:
+      return "light pass";
   }
   return "";
 }
@@ -211,18 +214,18 @@ std::string describe_card(const CardResults& results) {
     if (previous == nullptr || format_size(previous->size) != format_size(f.size))
       text += fmt::format(
           "\n{}, {} frames\n"
-          "                 ms:                       per frame:                             most  memory   "
+          "                  ms:                       per frame:                             most  memory   "
           "equal\n"
-          "  cache          median     p99   worst    hits uploads evicted portions     KB     KB      MB  "
+          "  cache, method   median     p99   worst    hits uploads evicted portions     KB     KB      MB  "
           "pixels\n",
           format_size(f.size), f.frames);
     previous = &f;
     if (!f.problem.empty()) {
-      text += fmt::format("  {:<14} {}\n", describe_run(f), f.problem);
+      text += fmt::format("  {:<15} {}\n", describe_run(f), f.problem);
       continue;
     }
     text += fmt::format(
-        "  {:<14}{:>7.2f} {:>7.2f} {:>7.2f} {:>7.1f} {:>7.1f} {:>7.1f} {:>8.2f} {:>6.0f} {:>6.0f} {:>7.1f} "
+        "  {:<15}{:>7.2f} {:>7.2f} {:>7.2f} {:>7.1f} {:>7.1f} {:>7.1f} {:>8.2f} {:>6.0f} {:>6.0f} {:>7.1f} "
         "{:>6.2f}%\n",
         describe_run(f), f.frame_ms.p50, f.frame_ms.p99, f.frame_ms.max, f.hits, f.uploads, f.evicted,
         f.portions, f.bytes_uploaded / 1000, f.max_bytes_uploaded / 1000,
