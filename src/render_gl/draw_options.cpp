@@ -5,6 +5,8 @@ namespace temblor::render_gl {
 DrawOptions choose_options(WorldMethod method, const render::FrameContext& context) {
   if (context.is_indexed()) return {};
   const render::Settings& settings = context.settings;
+  // Light that is not kept needs no turns.
+  if (settings.relight_alternate && method == WorldMethod::kGouraud) method = WorldMethod::kLitTextures;
   if (settings.filter == render::TextureFilter::kNearest) return {.method = method};
   return {WorldMethod::kLitTextures, settings.filter, settings.sharp_texels};
 }

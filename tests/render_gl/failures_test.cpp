@@ -164,7 +164,8 @@ TEST_P(FailingCard, NoticesThatTheCardWasReset) {
 // The methods whose objects differ from those of kLitTextures. Indexed frames have no methods.
 TEST_P(FailingCard, SurvivesFailuresOfEachMethod) {
   if (GetParam() == render::PixelFormat::kIndexed) return;
-  for (const WorldMethod method : {WorldMethod::kCardBlocks, WorldMethod::kLightPass}) {
+  for (const WorldMethod method :
+       {WorldMethod::kCardBlocks, WorldMethod::kLightPass, WorldMethod::kGouraud}) {
     method_ = method;
     ASSERT_EQ(run(), "");
     const InjectedGl::Calls all = card_->calls;

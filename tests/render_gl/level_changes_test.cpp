@@ -85,7 +85,7 @@ TEST_P(LevelChanges, KeepNothingOfOldLevels) {
   keep_nothing(WorldMethod::kBlocks);
   if (GetParam() == render::PixelFormat::kIndexed) return;
   for (const WorldMethod method :
-       {WorldMethod::kLitTextures, WorldMethod::kCardBlocks, WorldMethod::kLightPass})
+       {WorldMethod::kLitTextures, WorldMethod::kCardBlocks, WorldMethod::kLightPass, WorldMethod::kGouraud})
     keep_nothing(method);
 }
 

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "base/hash.h"
+#include "render_gl/lit/light_texel.h"
 #include "render_gl/lit/lit_shaders.h"
 #include "render_gl/surfaces/block_record.h"
 
@@ -81,7 +82,8 @@ CardBlocks::CardBlocks(const Functions& gl, LightGrids light, Program program, F
 base::Result<std::unique_ptr<LitMethod>> CardBlocks::make(const Functions& gl, const BlockAtlas& atlas) {
   const std::string vertex = std::string(kLitTilePart) + kVertexShader;
   std::string fragment = "#define FILTER 0\n";
-  for (const char* part : {kLitTilePart, kGridLightPart, kLitColorPart, kFragmentShader}) fragment += part;
+  for (const char* part : {kLightScalePart, kLitTilePart, kGridLightPart, kLitColorPart, kFragmentShader})
+    fragment += part;
   TRY(Program program, make_program(gl, vertex.c_str(), fragment.c_str()));
   Framebuffer framebuffer = make_framebuffer(gl);
   gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());

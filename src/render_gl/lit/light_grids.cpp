@@ -4,6 +4,7 @@
 
 #include "base/hash.h"
 #include "render/surfaces/light/block_light.h"
+#include "render_gl/lit/light_texel.h"
 
 namespace temblor::render_gl {
 
@@ -24,15 +25,6 @@ AtlasKey light_key(const render::BlockRequest& request, const render::SampleGrid
   add(contents.lights);
   add(static_cast<std::uint64_t>(grid.texels));
   return key;
-}
-
-// 10 bits for each channel.
-std::uint32_t pack_sample(const std::int16_t* sample) {
-  constexpr std::uint32_t kMaxSample = render::kFullLight / 2;
-  const auto pack = [&](std::size_t channel) {
-    return (static_cast<std::uint32_t>(sample[channel]) * 1023 + kMaxSample / 2) / kMaxSample;
-  };
-  return pack(0) | pack(1) << 10 | pack(2) << 20;
 }
 
 }  // namespace
@@ -60,7 +52,7 @@ std::optional<LightGrids::Grid> LightGrids::place(const Functions& gl, const wor
   const std::span<const std::int16_t> samples = render::make_rgb_samples(sums, columns, scratch_);
   const render::SurfaceShape shape{shown.columns, shown.rows};
   packed_.resize(shape.texels());
-  for (std::size_t i = 0; i < packed_.size(); ++i) packed_[i] = pack_sample(&samples[i * 4]);
+  for (std::size_t i = 0; i < packed_.size(); ++i) packed_[i] = pack_light(&samples[i * 4]);
   const auto stored = atlas_.place(gl, {key, packed_.data(), shape});
   if (!stored) return std::nullopt;
   return Grid{stored->place, texels_power};

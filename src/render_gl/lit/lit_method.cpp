@@ -2,6 +2,7 @@
 
 #include "render_gl/built/card_blocks.h"
 #include "render_gl/lit/grid_method.h"
+#include "render_gl/vertex_light/vertex_method.h"
 
 namespace temblor::render_gl {
 
@@ -46,6 +47,8 @@ base::Result<std::unique_ptr<LitMethod>> make_lit_method(const Functions& gl, Wo
     case WorldMethod::kLitTextures:
     case WorldMethod::kLightPass:
       return GridMethod::make(gl);
+    case WorldMethod::kGouraud:
+      return std::unique_ptr<LitMethod>(new VertexMethod);
   }
   return std::unique_ptr<LitMethod>();
 }

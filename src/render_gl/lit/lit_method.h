@@ -3,7 +3,8 @@
 // TileTable. Tiles that only the CPU can compose keep their blocks.
 //
 //   LitMethod --> GridMethod     light in grids that the CPU sums: kLitTextures, kLightPass
-//                 \--> CardBlocks    the product is drawn into surface blocks: kCardBlocks
+//             |   \--> CardBlocks    the product is drawn into surface blocks: kCardBlocks
+//             \--> VertexMethod   light at vertices: kGouraud
 #pragma once
 
 #include <cstdint>
@@ -35,6 +36,8 @@ class LitMethod {
   // Whether faces are drawn from the tiles' textures and light. False: the method draws surface blocks, which
   // faces show.
   virtual bool has_lit_faces() const { return true; }
+  // Comes before the frame's first portion. Fails if the card lacks the memory.
+  virtual base::Status prepare(const Functions&, const FrameInput&) { return base::Ok{}; }
   // The tiles that follow are drawn together, up to end_portion().
   virtual void begin_portion() {}
   // The record of a lit tile. Nothing if the portion is full.
@@ -45,6 +48,8 @@ class LitMethod {
 
   // Sets what is the method's own in the program in use, for faces with textures of this array.
   virtual void use(const Functions& gl, const FaceProgram& program, std::uint16_t array) const;
+  // The same for an instance of FrameInput::scene (0: the world).
+  virtual void use_instance(const Functions&, const FaceProgram&, std::uint32_t) const {}
 
   // Uploads all light again.
   virtual void clear_light() {}

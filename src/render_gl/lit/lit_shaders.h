@@ -31,11 +31,10 @@ LitTile read_lit_tile(uvec4 image, vec4 mapping) {
 }
 )";
 
-// find_light(tile, texel): the light of a texel of the tile. This one is for LightGrids.
+// find_light(tile, texel): the light of a texel of the tile. This one is for LightGrids. Follows
+// kLightScalePart and kLitTilePart.
 inline constexpr const char* kGridLightPart = R"(
 uniform sampler2DArray light_grids;
-
-const float kLightScale = 32640.0 / 16384.0;
 
 vec3 find_light(LitTile tile, vec2 texel) {
   vec2 at = tile.light_first + texel * tile.samples_per_texel;
@@ -96,6 +95,9 @@ flat out vec4 light;    // light_first, light_layer, samples_per_texel
 flat out vec2 picture;  // texture_layer, level
 
 void main() {
+#ifdef VERTEX_LIGHT
+  light_vertex();
+#endif
   gl_Position = project_nearer(view_axes * find_ray(), nearer);
   ivec2 record = find_record();
   vec4 mapping = uintBitsToFloat(texelFetch(records, record + ivec2(1, 0), 0));

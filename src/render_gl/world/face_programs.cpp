@@ -4,7 +4,9 @@
 #include <string>
 
 #include "render_gl/gl/projection.h"
+#include "render_gl/lit/light_texel.h"
 #include "render_gl/lit/lit_shaders.h"
+#include "render_gl/vertex_light/vertex_shaders.h"
 #include "render_gl/world/block_shaders.h"
 #include "render_gl/world/face_vertex_part.h"
 #include "render_gl/world/world_shaders.h"
@@ -20,6 +22,11 @@ constexpr std::array<const char*, kFaceProgramKinds> kKindNames = {"kBlock", "kB
 // The definitions of a pass for kLitColorPart and the shaders that follow it; kWhole: nothing.
 constexpr std::array<const char*, kLitPassKinds> kPassNames = {
     "", "#define TEXTURE_PASS\n", "#define LIGHT_PASS\n", "#define BRIGHT_PASS\n", "#define FOG_PASS\n"};
+
+// Fragment shaders' find_light(). Other kinds do not call it.
+const char* find_light_part(FaceProgramKind kind, WorldMethod method) {
+  return is_lit(kind) && method == WorldMethod::kGouraud ? kVertexLightPart : kGridLightPart;
+}
 
 bool has_lit_faces(WorldMethod method) {
   return method != WorldMethod::kBlocks && method != WorldMethod::kCardBlocks;
@@ -42,6 +49,8 @@ FaceProgram::FaceProgram(const Functions& gl, Program linked)
   atlas = find("atlas");
   textures = find("textures");
   light_grids = find("light_grids");
+  vertex_lights = find("vertex_lights");
+  first_light = find("first_light");
   has_color_key = find("has_color_key");
   skybox = find("skybox");
   liquid_phase = find("liquid_phase");
@@ -76,8 +85,11 @@ base::Result<Program> FacePrograms::make_program(const Functions& gl, const Vari
   fragment += "#define FILTER " + std::to_string(static_cast<int>(options.filter)) + "\n";
   if (options.sharp_texels) fragment += "#define SHARP\n";
   if (kind == kOneLit) vertex += kLitTilePart;
+  if (is_lit(kind) && options.method == WorldMethod::kGouraud)
+    vertex += std::string(kLightScalePart) + kLightVertexPart;
   vertex += kind == kOneBlock ? kBlockVertexShader : kind == kOneLit ? kLitVertexShader : kWorldVertexShader;
-  fragment += std::string(kLitTilePart) + kGridLightPart + kLitColorPart;
+  fragment +=
+      std::string(kLightScalePart) + kLitTilePart + find_light_part(kind, options.method) + kLitColorPart;
   fragment += kind == kOneBlock ? kBlockFragmentShader
               : kind == kOneLit ? kLitFragmentShader
                                 : kWorldFragmentShader;

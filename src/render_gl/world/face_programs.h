@@ -47,6 +47,7 @@ struct FaceProgram {
   FaceProgram(const Functions& gl, Program linked);
   Program program;
   GLint model_axes, model_origin, nearer, first_record, eye, view_axes, projection, full_range;
+  GLint vertex_lights, first_light;
   GLint records, atlas, textures, light_grids, has_color_key, skybox, liquid_phase, sky_scroll, fog_density,
       fog_color;
   IndexUniforms index;

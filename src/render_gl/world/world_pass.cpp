@@ -58,6 +58,7 @@ base::Status WorldPass::prepare(const Functions& gl, const FrameInput& input) {
   TRY_STATUS(set_level(gl, input));
   TRY_STATUS(number_instances(gl, input));
   TRY_STATUS(skybox_.update(gl, input.sources));
+  if (method_) TRY_STATUS(method_->prepare(gl, input));
   atlas_.begin_frame();
   for (const render::BlockRequest& built : input.record.surfaces.missing)
     atlas_.invalidate(block_key(built.block));
@@ -180,6 +181,7 @@ void WorldPass::draw_faces(const Functions& gl, const FrameInput& input, const F
   const std::uint32_t instance = faces.front().instance, first_index = faces.front().first_index;
   set_face_instance(gl, input, program, instance);
   gl.Uniform1ui(program.first_record, record_offset_[instance]);
+  if (is_lit(faces.front().program)) method_->use_instance(gl, program, instance);
   const std::uint32_t end_index = faces.back().first_index + faces.back().index_count;
   gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(end_index - first_index), GL_UNSIGNED_INT,
                   reinterpret_cast<const void*>(std::size_t{first_index} * sizeof(std::uint32_t)));

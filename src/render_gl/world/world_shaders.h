@@ -14,6 +14,9 @@ out float view_distance;  // along the view
 flat out uvec2 face_tiles;
 
 void main() {
+#ifdef VERTEX_LIGHT
+  light_vertex();
+#endif
   ray = find_ray();
   vec3 at = view_axes * ray;
   view_distance = at.z;

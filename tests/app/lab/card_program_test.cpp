@@ -35,7 +35,7 @@ TEST(CardProgram, MeasuresEveryCacheAndMethod) {
   const json result = json::parse(program.out);
   EXPECT_NE(result.at("driver"), "");
   const json& runs = result.at("runs");
-  constexpr std::array kMethods = {"card's blocks", "lit textures", "light pass"};
+  constexpr std::array kMethods = {"card's blocks", "lit textures", "light pass", "vertex light"};
   constexpr std::size_t kCaches = 8, kRuns = kCaches + kMethods.size();  // at each size
   ASSERT_EQ(runs.size(), 2 * kRuns);
   for (std::size_t i = 0; i < runs.size(); ++i) {
@@ -57,7 +57,8 @@ TEST(CardProgram, MeasuresEveryCacheAndMethod) {
     EXPECT_GE(run.at("portions"), 1.0);
     EXPECT_GT(run.at("hits").get<double>() + run.at("uploads").get<double>(), 0.0);
     EXPECT_GE(run.at("max_bytes_uploaded"), run.at("bytes_uploaded"));
-    if (run.at("bits") == 32) EXPECT_GE(run.at("equal_share"), 0.95);
+    const bool is_exact = run.at("bits") == 32 && run.at("method") != "vertex light";
+    if (is_exact) EXPECT_GE(run.at("equal_share"), 0.95);
   }
 }
 

@@ -141,7 +141,7 @@ base::Result<std::string> describe_driver(const CardBench& bench) {
 
 // The methods next to the caches of blocks.
 constexpr WorldMethod kOtherMethods[] = {WorldMethod::kCardBlocks, WorldMethod::kLitTextures,
-                                         WorldMethod::kLightPass};
+                                         WorldMethod::kLightPass, WorldMethod::kGouraud};
 
 const char* method_name(WorldMethod method) {
   switch (method) {
@@ -153,6 +153,8 @@ const char* method_name(WorldMethod method) {
       return "lit textures";
     case WorldMethod::kLightPass:
       return "light pass";
+    case WorldMethod::kGouraud:
+      return "vertex light";
   }
   return "";
 }
