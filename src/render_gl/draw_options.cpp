@@ -6,7 +6,8 @@ DrawOptions choose_options(WorldMethod method, const render::FrameContext& conte
   if (context.is_indexed()) return {};
   const render::Settings& settings = context.settings;
   // Light that is not kept needs no turns.
-  if (settings.relight_alternate && method == WorldMethod::kGouraud) method = WorldMethod::kLitTextures;
+  const bool keeps_light = method != WorldMethod::kGouraud && method != WorldMethod::kStyleLayers;
+  if (settings.relight_alternate && !keeps_light) method = WorldMethod::kLitTextures;
   if (settings.filter == render::TextureFilter::kNearest) return {.method = method};
   return {WorldMethod::kLitTextures, settings.filter, settings.sharp_texels};
 }

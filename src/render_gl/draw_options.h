@@ -14,7 +14,8 @@ enum class WorldMethod : std::uint8_t {
   kLitTextures,  // each pixel is a texel times its light: two textures in one pass
   kCardBlocks,   // the card draws that product into surface blocks, and keeps them as those of the CPU
   kLightPass,    // the texture, and then its light over the picture, as in GLQuake (passes/lit_passes.h)
-  kGouraud       // light at vertices (vertex_light/vertex_method.h)
+  kGouraud,      // light at vertices (vertex_light/vertex_method.h)
+  kStyleLayers   // the shader adds light maps and dynamic lights (styles/style_method.h)
 };
 
 // The programs of the level's faces depend on this. Blending filters need kLitTextures; blocks, and textures

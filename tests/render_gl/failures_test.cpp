@@ -161,26 +161,31 @@ TEST_P(FailingCard, NoticesThatTheCardWasReset) {
   EXPECT_EQ(drawn.error().what, "the OpenGL context is lost: the graphics card was reset");
 }
 
-// The methods whose objects differ from those of kLitTextures. Indexed frames have no methods.
+// The methods whose objects differ from those of kLitTextures. Indexed frames have no methods. Failures
+// before the first frame are those of all methods.
 TEST_P(FailingCard, SurvivesFailuresOfEachMethod) {
+  using enum WorldMethod;
   if (GetParam() == render::PixelFormat::kIndexed) return;
-  for (const WorldMethod method :
-       {WorldMethod::kCardBlocks, WorldMethod::kLightPass, WorldMethod::kGouraud}) {
+  for (const WorldMethod method : {kCardBlocks, kLightPass, kGouraud, kStyleLayers}) {
     method_ = method;
+    EXPECT_TRUE(make().ok());
+    const InjectedGl::Calls before = card_->calls;
     ASSERT_EQ(run(), "");
     const InjectedGl::Calls all = card_->calls;
-    const auto fail_each = [&](int count, int& io_fault, const char* line) {
-      for (int number = 0; number < count; ++number) {
+    const auto fail_each = [&](int begin, int end, int& io_fault, const char* line) {
+      for (int number = begin; number < end; ++number) {
         io_fault = number;
         EXPECT_TRUE(contains(run(), line)) << number;
       }
       io_fault = -1;
     };
-    fail_each(all.compile, card_->faults.compile, "the OpenGL driver does not compile a shader");
-    fail_each(all.link, card_->faults.link, "the OpenGL driver does not link a shader");
-    fail_each(all.texture, card_->faults.texture, "the graphics card is out of memory");
-    fail_each(all.buffer, card_->faults.buffer, "the graphics card is out of memory");
-    fail_each(all.framebuffer, card_->faults.framebuffer, "the graphics card cannot draw into a texture");
+    Faults& faults = card_->faults;
+    fail_each(before.compile, all.compile, faults.compile, "the OpenGL driver does not compile a shader");
+    fail_each(before.link, all.link, faults.link, "the OpenGL driver does not link a shader");
+    fail_each(before.texture, all.texture, faults.texture, "the graphics card is out of memory");
+    fail_each(before.buffer, all.buffer, faults.buffer, "the graphics card is out of memory");
+    fail_each(before.framebuffer, all.framebuffer, faults.framebuffer,
+              "the graphics card cannot draw into a texture");
   }
 }
 

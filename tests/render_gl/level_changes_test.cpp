@@ -84,8 +84,8 @@ class LevelChanges : public testing::TestWithParam<render::PixelFormat> {
 TEST_P(LevelChanges, KeepNothingOfOldLevels) {
   keep_nothing(WorldMethod::kBlocks);
   if (GetParam() == render::PixelFormat::kIndexed) return;
-  for (const WorldMethod method :
-       {WorldMethod::kLitTextures, WorldMethod::kCardBlocks, WorldMethod::kLightPass, WorldMethod::kGouraud})
+  using enum WorldMethod;
+  for (const WorldMethod method : {kLitTextures, kCardBlocks, kLightPass, kGouraud, kStyleLayers})
     keep_nothing(method);
 }
 

@@ -23,9 +23,9 @@ std::optional<TileRecord> GridMethod::place(const Functions& gl, const FrameInpu
   return record;
 }
 
-void GridMethod::use(const Functions& gl, const FaceProgram& program, std::uint16_t array) const {
+void GridMethod::use(const Functions& gl, const FaceProgram& program, const LitLook& look) const {
   constexpr GLenum kLightUnit = 4;
-  LitMethod::use(gl, program, array);
+  LitMethod::use(gl, program, look);
   gl.ActiveTexture(GL_TEXTURE0 + kLightUnit);
   gl.BindTexture(GL_TEXTURE_2D_ARRAY, light_.texture());
   gl.Uniform1i(program.light_grids, kLightUnit);

@@ -15,7 +15,7 @@ class GridMethod : public LitMethod {
   void begin_portion() override { light_.begin_portion(); }
   std::optional<TileRecord> place(const Functions& gl, const FrameInput& input, std::uint32_t draw,
                                   BlockAtlas& io_atlas) override;
-  void use(const Functions& gl, const FaceProgram& program, std::uint16_t array) const override;
+  void use(const Functions& gl, const FaceProgram& program, const LitLook& look) const override;
   void clear_light() override { light_.clear(); }
   CacheCounts light_counts() const override { return light_.counts(); }
   std::size_t bytes() const override { return tiles_.bytes() + light_.bytes(); }

@@ -2,6 +2,7 @@
 
 #include "render_gl/built/card_blocks.h"
 #include "render_gl/lit/grid_method.h"
+#include "render_gl/styles/style_method.h"
 #include "render_gl/vertex_light/vertex_method.h"
 
 namespace temblor::render_gl {
@@ -18,22 +19,22 @@ base::Status LitMethod::set_level(const Functions& gl, const render::FrameContex
 base::Status LitMethod::take(const Functions& gl, const render::FrameContext& context,
                              render::SurfaceRequests& io_requests) {
   const world::Level& level = context.level();
+  begin_frame();
   if (level_ != level.identity) {
     level_ = {};
     TRY_STATUS(set_level(gl, context));
     tiles_.set_filter(gl, filter_);
     level_ = level.identity;
   }
-  begin_frame();
-  const auto can_light_tile = [this](const render::BlockRequest& request) { return can_light(request); };
+  const auto can_light_tile = [&](const render::BlockRequest& request) { return can_light(level, request); };
   tiles_.take(level, can_light_tile, io_requests);
   return base::Ok{};
 }
 
-void LitMethod::use(const Functions& gl, const FaceProgram& program, std::uint16_t array) const {
+void LitMethod::use(const Functions& gl, const FaceProgram& program, const LitLook& look) const {
   constexpr GLenum kTexturesUnit = 3;
   gl.ActiveTexture(GL_TEXTURE0 + kTexturesUnit);
-  gl.BindTexture(GL_TEXTURE_2D_ARRAY, tiles_.array_texture(array));
+  gl.BindTexture(GL_TEXTURE_2D_ARRAY, tiles_.array_texture(look.array));
   gl.Uniform1i(program.textures, kTexturesUnit);
 }
 
@@ -49,6 +50,8 @@ base::Result<std::unique_ptr<LitMethod>> make_lit_method(const Functions& gl, Wo
       return GridMethod::make(gl);
     case WorldMethod::kGouraud:
       return std::unique_ptr<LitMethod>(new VertexMethod);
+    case WorldMethod::kStyleLayers:
+      return std::unique_ptr<LitMethod>(new StyleMethod);
   }
   return std::unique_ptr<LitMethod>();
 }

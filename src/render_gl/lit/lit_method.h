@@ -4,7 +4,8 @@
 //
 //   LitMethod --> GridMethod     light in grids that the CPU sums: kLitTextures, kLightPass
 //             |   \--> CardBlocks    the product is drawn into surface blocks: kCardBlocks
-//             \--> VertexMethod   light at vertices: kGouraud
+//             |--> VertexMethod   light at vertices: kGouraud
+//             \--> StyleMethod    light maps as they are stored: kStyleLayers
 #pragma once
 
 #include <cstdint>
@@ -18,6 +19,14 @@
 #include "render_gl/world/frame_input.h"
 
 namespace temblor::render_gl {
+
+// A lit face's textures and light, as far as faces with others are drawn by another call.
+struct LitLook {
+  std::uint16_t array = 0;  // of the texture
+  bool has_lights = false;  // whether dynamic lights reach a visible tile; false if the method does not care
+  bool operator==(const LitLook&) const = default;
+  auto operator<=>(const LitLook&) const = default;
+};
 
 class LitMethod {
  public:
@@ -36,6 +45,8 @@ class LitMethod {
   // Whether faces are drawn from the tiles' textures and light. False: the method draws surface blocks, which
   // faces show.
   virtual bool has_lit_faces() const { return true; }
+  // Whether LitLook::has_lights matters.
+  virtual bool separates_lights() const { return false; }
   // Comes before the frame's first portion. Fails if the card lacks the memory.
   virtual base::Status prepare(const Functions&, const FrameInput&) { return base::Ok{}; }
   // The tiles that follow are drawn together, up to end_portion().
@@ -46,8 +57,8 @@ class LitMethod {
   // Brings what the portion needs to the card. May bind another framebuffer and viewport.
   virtual void end_portion(const Functions&, const FrameInput&, const BlockAtlas&) {}
 
-  // Sets what is the method's own in the program in use, for faces with textures of this array.
-  virtual void use(const Functions& gl, const FaceProgram& program, std::uint16_t array) const;
+  // Sets what is the method's own in the program in use.
+  virtual void use(const Functions& gl, const FaceProgram& program, const LitLook& look) const;
   // The same for an instance of FrameInput::scene (0: the world).
   virtual void use_instance(const Functions&, const FaceProgram&, std::uint32_t) const {}
 
@@ -64,7 +75,7 @@ class LitMethod {
   virtual base::Status set_level(const Functions& gl, const render::FrameContext& context);
   virtual void begin_frame() {}
   // Whether the method can light a tile whose texture it has.
-  virtual bool can_light(const render::BlockRequest&) const { return true; }
+  virtual bool can_light(const world::Level&, const render::BlockRequest&) const { return true; }
 
   LitTiles tiles_;
 

@@ -112,9 +112,9 @@ void VertexMethod::end_portion(const Functions& gl, const FrameInput&, const Blo
   table_.upload(gl, counts_);
 }
 
-void VertexMethod::use(const Functions& gl, const FaceProgram& program, std::uint16_t array) const {
+void VertexMethod::use(const Functions& gl, const FaceProgram& program, const LitLook& look) const {
   constexpr GLenum kVertexLightUnit = 4;
-  LitMethod::use(gl, program, array);
+  LitMethod::use(gl, program, look);
   gl.ActiveTexture(GL_TEXTURE0 + kVertexLightUnit);
   gl.BindTexture(GL_TEXTURE_2D, table_.texture());
   gl.Uniform1i(program.vertex_lights, kVertexLightUnit);

@@ -21,7 +21,7 @@ class VertexMethod final : public LitMethod {
   std::optional<TileRecord> place(const Functions& gl, const FrameInput& input, std::uint32_t draw,
                                   BlockAtlas& io_atlas) override;
   void end_portion(const Functions& gl, const FrameInput& input, const BlockAtlas& atlas) override;
-  void use(const Functions& gl, const FaceProgram& program, std::uint16_t array) const override;
+  void use(const Functions& gl, const FaceProgram& program, const LitLook& look) const override;
   void use_instance(const Functions& gl, const FaceProgram& program, std::uint32_t instance) const override;
   void clear_light() override { keys_.assign(keys_.size(), 0); }
   // Rows of VertexTable that were uploaded, and faces whose light had not changed.
@@ -31,7 +31,7 @@ class VertexMethod final : public LitMethod {
  protected:
   base::Status set_level(const Functions& gl, const render::FrameContext& context) override;
   void begin_frame() override { counts_ = {}; }
-  bool can_light(const render::BlockRequest& request) const override {
+  bool can_light(const world::Level&, const render::BlockRequest& request) const override {
     return request.contents.caustic_step == 0;
   }
 

@@ -6,6 +6,7 @@
 #include "render_gl/gl/projection.h"
 #include "render_gl/lit/light_texel.h"
 #include "render_gl/lit/lit_shaders.h"
+#include "render_gl/styles/style_shaders.h"
 #include "render_gl/vertex_light/vertex_shaders.h"
 #include "render_gl/world/block_shaders.h"
 #include "render_gl/world/face_vertex_part.h"
@@ -25,7 +26,8 @@ constexpr std::array<const char*, kLitPassKinds> kPassNames = {
 
 // Fragment shaders' find_light(). Other kinds do not call it.
 const char* find_light_part(FaceProgramKind kind, WorldMethod method) {
-  return is_lit(kind) && method == WorldMethod::kGouraud ? kVertexLightPart : kGridLightPart;
+  if (is_lit(kind) && method == WorldMethod::kGouraud) return kVertexLightPart;
+  return is_lit(kind) && method == WorldMethod::kStyleLayers ? kStyleLightPart : kGridLightPart;
 }
 
 bool has_lit_faces(WorldMethod method) {
@@ -34,8 +36,18 @@ bool has_lit_faces(WorldMethod method) {
 
 }  // namespace
 
+StyleUniforms::StyleUniforms(const Functions& gl, const Program& program) {
+  const auto find = [&](const char* name) { return gl.GetUniformLocation(program.name(), name); };
+  samples = find("style_samples");
+  faces = find("style_faces");
+  values = find("style_values");
+  is_colored = find("has_colored_light");
+  lights = find("dynamic_lights");
+  light_count = find("light_count");
+}
+
 FaceProgram::FaceProgram(const Functions& gl, Program linked)
-    : program(std::move(linked)), index(gl, program) {
+    : program(std::move(linked)), styles(gl, program), index(gl, program) {
   const auto find = [&](const char* name) { return gl.GetUniformLocation(program.name(), name); };
   model_axes = find("model_axes");
   model_origin = find("model_origin");

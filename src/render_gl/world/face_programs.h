@@ -42,12 +42,19 @@ constexpr FaceProgramKind without_one_tile(FaceProgramKind kind) {
   return kind == FaceProgramKind::kOneLit ? FaceProgramKind::kLit : kind;
 }
 
+// Locations of the variables of kStyleLightPart; -1 for those that a program lacks.
+struct StyleUniforms {
+  StyleUniforms(const Functions& gl, const Program& program);
+  GLint samples, faces, values, is_colored, lights, light_count;
+};
+
 // A program, and the locations of its variables; -1 for those that it lacks.
 struct FaceProgram {
   FaceProgram(const Functions& gl, Program linked);
   Program program;
   GLint model_axes, model_origin, nearer, first_record, eye, view_axes, projection, full_range;
   GLint vertex_lights, first_light;
+  StyleUniforms styles;
   GLint records, atlas, textures, light_grids, has_color_key, skybox, liquid_phase, sky_scroll, fog_density,
       fog_color;
   IndexUniforms index;

@@ -13,15 +13,15 @@ bool is_same_face(const render::ScreenSurface& a, const render::ScreenSurface& b
   return a.face == b.face && a.instance == b.instance;
 }
 
-// The draw of a lit tile of the surface's face, of this fragment or of those that follow.
-std::optional<std::uint32_t> find_lit_draw(const FrameInput& input, const LitTiles& lit, std::size_t number) {
+// Visits the draws of lit tiles of the surface's face, of this fragment and of those that follow.
+template <typename Visit>
+void visit_lit_draws(const FrameInput& input, const LitTiles& lit, std::size_t number, Visit visit) {
   const std::span<const render::ScreenSurface> surfaces = input.record.edges.surfaces;
   for (std::size_t i = number; i < surfaces.size() && is_same_face(surfaces[i], surfaces[number]); ++i) {
     const std::uint32_t first = surfaces[i].first_draw;
     for (std::uint32_t tile = 0; tile < std::uint32_t{surfaces[i].tiles.s} * surfaces[i].tiles.t; ++tile)
-      if (lit.contains(first + tile)) return first + tile;
+      if (lit.contains(first + tile)) visit(first + tile);
   }
-  return std::nullopt;
 }
 
 bool is_seen(const FrameInput& input, const QueuedFace& face) {
@@ -42,47 +42,64 @@ std::optional<std::uint32_t> find_seen_draw(const FrameInput& input, const Queue
   return std::nullopt;
 }
 
+// All tiles of a face have the same texture.
+std::optional<FaceQueue::Choice> FaceQueue::choose_lit(const FrameInput& input, const LitMethod* method,
+                                                       std::size_t number) {
+  using enum FaceProgramKind;
+  if (method == nullptr) return std::nullopt;
+  const LitTiles& lit = method->tiles();
+  const render::TileGrid tiles = input.record.edges.surfaces[number].tiles;
+  std::optional<Choice> choice;
+  visit_lit_draws(input, lit, number, [&](std::uint32_t draw) {
+    if (!choice)
+      choice =
+          Choice{tiles.s * tiles.t == 1 ? kOneLit : kLit, {lit.array(draw)}, lit.has_bright(draw), number};
+    choice->look.has_lights |= method->separates_lights() && !lit.request(draw).lights.empty();
+  });
+  return choice;
+}
+
 // For an opaque face.
-FaceQueue::Choice FaceQueue::choose(const FrameInput& input, const LitTiles* lit, std::size_t number) const {
+FaceQueue::Choice FaceQueue::choose(const FrameInput& input, const LitMethod* method,
+                                    std::size_t number) const {
   using enum FaceProgramKind;
   const render::ScreenSurface& surface = input.record.edges.surfaces[number];
   const world::Face& face = input.context.level().face(surface.face);
   const std::uint32_t tiles = std::uint32_t{surface.tiles.s} * surface.tiles.t;
   if (render::has_surface(face)) {
-    if (const auto draw = lit == nullptr ? std::nullopt : find_lit_draw(input, *lit, number))
-      return {tiles == 1 ? kOneLit : kLit, lit->array(*draw), lit->has_bright(*draw), number};
+    if (const std::optional<Choice> lit = choose_lit(input, method, number)) return *lit;
     const bool is_blended = input.options.filter != render::TextureFilter::kNearest;
-    return {tiles == 1 && !is_blended ? kOneBlock : kBlocks, 0, false, number};
+    return {tiles == 1 && !is_blended ? kOneBlock : kBlocks, {}, false, number};
   }
-  if (face.kind == world::FaceKind::kSky) return {input.sources.skybox ? kSkybox : kSky, 0, false, number};
-  return {face.kind == world::FaceKind::kLiquid ? kLiquid : kTexture, 0, false, number};
+  if (face.kind == world::FaceKind::kSky) return {input.sources.skybox ? kSkybox : kSky, {}, false, number};
+  return {face.kind == world::FaceKind::kLiquid ? kLiquid : kTexture, {}, false, number};
 }
 
 // Holes and opacity need the programs of several tiles. One color for all texels needs none of them.
-FaceQueue::Choice FaceQueue::choose(const FrameInput& input, const LitTiles* lit,
+FaceQueue::Choice FaceQueue::choose(const FrameInput& input, const LitMethod* method,
                                     const render::DeferredFace& face) const {
   using enum FaceProgramKind;
-  Choice choice = choose(input, lit, base::to_size(face.surface));
+  Choice choice = choose(input, method, base::to_size(face.surface));
   choice.program = without_one_tile(choice.program);
-  if (choice.program == kLit && face.opacity.color) choice = {kBlocks, 0, false, choice.surface};
+  if (choice.program == kLit && face.opacity.color) choice = {kBlocks, {}, false, choice.surface};
   return choice;
 }
 
-void FaceQueue::collect(const FrameInput& input, const LitTiles* lit, const HasRoom& has_room) {
+void FaceQueue::collect(const FrameInput& input, const LitMethod* method, const HasRoom& has_room) {
   has_room_ = has_room;
   const render::EdgeTable& edges = input.record.edges;
   faces_.clear();
   indices_.clear();
   choices_.clear();
-  for (std::size_t i = 1; i < edges.first_deferred(); ++i) choices_.push_back(choose(input, lit, i));
+  for (std::size_t i = 1; i < edges.first_deferred(); ++i) choices_.push_back(choose(input, method, i));
   std::ranges::stable_sort(choices_, {},
-                           [](const Choice& choice) { return std::pair(choice.program, choice.array); });
+                           [](const Choice& choice) { return std::pair(choice.program, choice.look); });
   for (const Choice& choice : choices_) add(input, choice, nullptr);
   for (const render::DeferredFace& face : input.order.faces.opaque)
-    add(input, choose(input, lit, face), &face.opacity);
+    add(input, choose(input, method, face), &face.opacity);
   first_translucent_ = faces_.size();
   for (const render::DeferredFace& face : input.order.faces.translucent)
-    add(input, choose(input, lit, face), &face.opacity);
+    add(input, choose(input, method, face), &face.opacity);
 }
 
 // Fragments of one face are adjacent, and draw it once.
@@ -91,7 +108,7 @@ void FaceQueue::add(const FrameInput& input, const Choice& choice, const render:
   const std::span<const render::ScreenSurface> surfaces = input.record.edges.surfaces;
   const render::ScreenSurface& surface = surfaces[number];
   QueuedFace face{.program = choice.program,
-                  .array = choice.array,
+                  .look = choice.look,
                   .has_bright = choice.has_bright,
                   .instance = surface.instance,
                   .face = surface.face,

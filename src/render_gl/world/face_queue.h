@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "render_gl/lit/lit_tiles.h"
+#include "render_gl/lit/lit_method.h"
 #include "render_gl/world/face_programs.h"
 #include "render_gl/world/frame_input.h"
 
@@ -16,7 +16,7 @@ namespace temblor::render_gl {
 
 struct QueuedFace {
   FaceProgramKind program;
-  std::uint16_t array;     // of the texture of a lit face; else 0
+  LitLook look;            // of a lit face
   bool has_bright;         // whether that texture has full-bright texels
   std::uint32_t instance;  // 0: the world; i + 1: Scene::brush_models[i]
   world::FaceIndex face;
@@ -30,10 +30,10 @@ struct QueuedFace {
 
 class FaceQueue {
  public:
-  // `lit` may be null: there are no lit tiles. Leaves out faces of which `has_room` says that their tiles
-  // have no room on the card.
+  // `method` may be null: no face is lit by the card. Leaves out faces of which `has_room` says that their
+  // tiles have no room on the card.
   using HasRoom = std::function<bool(const render::ScreenSurface& surface)>;
-  void collect(const FrameInput& input, const LitTiles* lit, const HasRoom& has_room);
+  void collect(const FrameInput& input, const LitMethod* method, const HasRoom& has_room);
 
   const std::vector<QueuedFace>& faces() const { return faces_; }
   // The number of TranslucentOrder::faces.translucent[0]; the others follow.
@@ -44,12 +44,14 @@ class FaceQueue {
   // How to draw a surface of EdgeTable::surfaces. Opaque ones are ordered by it.
   struct Choice {
     FaceProgramKind program;
-    std::uint16_t array;
+    LitLook look;
     bool has_bright;
     std::size_t surface;
   };
-  Choice choose(const FrameInput& input, const LitTiles* lit, std::size_t surface) const;
-  Choice choose(const FrameInput& input, const LitTiles* lit, const render::DeferredFace& face) const;
+  static std::optional<Choice> choose_lit(const FrameInput& input, const LitMethod* method,
+                                          std::size_t surface);
+  Choice choose(const FrameInput& input, const LitMethod* method, std::size_t surface) const;
+  Choice choose(const FrameInput& input, const LitMethod* method, const render::DeferredFace& face) const;
   void add(const FrameInput& input, const Choice& choice, const render::FaceOpacity* opacity);
 
   HasRoom has_room_;

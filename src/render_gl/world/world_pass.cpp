@@ -62,7 +62,8 @@ base::Status WorldPass::prepare(const Functions& gl, const FrameInput& input) {
   atlas_.begin_frame();
   for (const render::BlockRequest& built : input.record.surfaces.missing)
     atlas_.invalidate(block_key(built.block));
-  faces_.collect(input, lit(), [this](const render::ScreenSurface& surface) {
+  const LitMethod* const lit_faces = method_ && method_->has_lit_faces() ? method_.get() : nullptr;
+  faces_.collect(input, lit_faces, [this](const render::ScreenSurface& surface) {
     return mesh_.first_tile(surface.face) + record_offset_[surface.instance] +
                std::uint32_t{surface.tiles.s} * surface.tiles.t <=
            table_.capacity();
@@ -169,7 +170,7 @@ const FaceProgram& WorldPass::begin_draw(const Functions& gl, const FrameInput& 
   gl.BindTexture(GL_TEXTURE_2D_ARRAY, atlas_.texture());
   gl.ActiveTexture(GL_TEXTURE0 + kSkyboxUnit);
   gl.BindTexture(GL_TEXTURE_2D_ARRAY, skybox_.texture());
-  if (is_lit(kind)) method_->use(gl, shader, face.array);
+  if (is_lit(kind)) method_->use(gl, shader, face.look);
   gl.BindVertexArray(mesh_.vertex_array());
   return shader;
 }
@@ -194,7 +195,7 @@ void WorldPass::draw_lit_pass(const Functions& gl, const FrameInput& input, cons
   const FaceProgram* bound = nullptr;
   const QueuedFace* before = nullptr;
   const auto has_same_textures = [](const QueuedFace& a, const QueuedFace& b) {
-    return a.program == b.program && a.array == b.array;
+    return a.program == b.program && a.look == b.look;
   };
   const auto is_in_pass = [&](const QueuedFace& face) {
     if (!is_lit(face.program)) return pass.is_first;

@@ -66,8 +66,6 @@ class WorldPass {
   WorldPass(const Functions& gl, FacePrograms programs, BlockAtlas atlas);
   base::Status set_level(const Functions& gl, const FrameInput& input);
   base::Status set_options(const Functions& gl, const DrawOptions& options, render::PixelFormat format);
-  // Null: no face is drawn from a texture and its light.
-  const LitTiles* lit() const { return method_ && method_->has_lit_faces() ? &method_->tiles() : nullptr; }
   std::optional<TileRecord> place_draw(const Functions& gl, const FrameInput& input, std::uint32_t draw);
   base::Status number_instances(const Functions& gl, const FrameInput& input);
   void begin_portion(const Functions& gl, const FrameInput& input);

@@ -141,7 +141,8 @@ base::Result<std::string> describe_driver(const CardBench& bench) {
 
 // The methods next to the caches of blocks.
 constexpr WorldMethod kOtherMethods[] = {WorldMethod::kCardBlocks, WorldMethod::kLitTextures,
-                                         WorldMethod::kLightPass, WorldMethod::kGouraud};
+                                         WorldMethod::kLightPass, WorldMethod::kGouraud,
+                                         WorldMethod::kStyleLayers};
 
 const char* method_name(WorldMethod method) {
   switch (method) {
@@ -155,6 +156,8 @@ const char* method_name(WorldMethod method) {
       return "light pass";
     case WorldMethod::kGouraud:
       return "vertex light";
+    case WorldMethod::kStyleLayers:
+      return "style layers";
   }
   return "";
 }
