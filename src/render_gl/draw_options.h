@@ -10,12 +10,13 @@ namespace temblor::render_gl {
 // How lit faces get their texels. Faces that only the CPU can compose (with marks, holes, glow, or waves)
 // have blocks in every method.
 enum class WorldMethod : std::uint8_t {
-  kBlocks,       // the CPU lights surface blocks, as in VQuake
-  kLitTextures,  // each pixel is a texel times its light: two textures in one pass
-  kCardBlocks,   // the card draws that product into surface blocks, and keeps them as those of the CPU
-  kLightPass,    // the texture, and then its light over the picture, as in GLQuake (passes/lit_passes.h)
-  kGouraud,      // light at vertices (vertex_light/vertex_method.h)
-  kStyleLayers   // the shader adds light maps and dynamic lights (styles/style_method.h)
+  kBlocks,         // the CPU lights surface blocks, as in VQuake
+  kLitTextures,    // each pixel is a texel times its light: two textures in one pass
+  kCardBlocks,     // the card draws that product into surface blocks, and keeps them as those of the CPU
+  kLightPass,      // the texture, and then its light over the picture, as in GLQuake (passes/lit_passes.h)
+  kLightPolygons,  // the same in another order, with polygons for dynamic lights (passes/polygon_method.h)
+  kGouraud,        // light at vertices (vertex_light/vertex_method.h)
+  kStyleLayers     // the shader adds light maps and dynamic lights (styles/style_method.h)
 };
 
 // The programs of the level's faces depend on this. Blending filters need kLitTextures; blocks, and textures

@@ -85,7 +85,8 @@ TEST_P(LevelChanges, KeepNothingOfOldLevels) {
   keep_nothing(WorldMethod::kBlocks);
   if (GetParam() == render::PixelFormat::kIndexed) return;
   using enum WorldMethod;
-  for (const WorldMethod method : {kLitTextures, kCardBlocks, kLightPass, kGouraud, kStyleLayers})
+  for (const WorldMethod method :
+       {kLitTextures, kCardBlocks, kLightPass, kLightPolygons, kGouraud, kStyleLayers})
     keep_nothing(method);
 }
 

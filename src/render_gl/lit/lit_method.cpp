@@ -2,6 +2,7 @@
 
 #include "render_gl/built/card_blocks.h"
 #include "render_gl/lit/grid_method.h"
+#include "render_gl/passes/polygon_method.h"
 #include "render_gl/styles/style_method.h"
 #include "render_gl/vertex_light/vertex_method.h"
 
@@ -27,7 +28,7 @@ base::Status LitMethod::take(const Functions& gl, const render::FrameContext& co
     level_ = level.identity;
   }
   const auto can_light_tile = [&](const render::BlockRequest& request) { return can_light(level, request); };
-  tiles_.take(level, can_light_tile, io_requests);
+  take_lights(tiles_.take(level, can_light_tile, io_requests), io_requests.first_deferred);
   return base::Ok{};
 }
 
@@ -48,6 +49,8 @@ base::Result<std::unique_ptr<LitMethod>> make_lit_method(const Functions& gl, Wo
     case WorldMethod::kLitTextures:
     case WorldMethod::kLightPass:
       return GridMethod::make(gl);
+    case WorldMethod::kLightPolygons:
+      return PolygonMethod::make(gl);
     case WorldMethod::kGouraud:
       return std::unique_ptr<LitMethod>(new VertexMethod);
     case WorldMethod::kStyleLayers:

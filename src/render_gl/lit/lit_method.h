@@ -3,7 +3,8 @@
 // TileTable. Tiles that only the CPU can compose keep their blocks.
 //
 //   LitMethod --> GridMethod     light in grids that the CPU sums: kLitTextures, kLightPass
-//             |   \--> CardBlocks    the product is drawn into surface blocks: kCardBlocks
+//             |   |--> CardBlocks      the product is drawn into surface blocks: kCardBlocks
+//             |   \--> PolygonMethod   dynamic lights are polygons: kLightPolygons
 //             |--> VertexMethod   light at vertices: kGouraud
 //             \--> StyleMethod    light maps as they are stored: kStyleLayers
 #pragma once
@@ -11,6 +12,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "render_gl/lit/lit_tiles.h"
 #include "render_gl/surfaces/block_atlas.h"
@@ -62,6 +64,9 @@ class LitMethod {
   // The same for an instance of FrameInput::scene (0: the world).
   virtual void use_instance(const Functions&, const FaceProgram&, std::uint32_t) const {}
 
+  // Draws LitPassKind::kPolygons of the portion.
+  virtual void draw_polygons(const Functions&, const FrameInput&) const {}
+
   // Uploads all light again.
   virtual void clear_light() {}
   // How the last frame used the card's memory of light.
@@ -76,6 +81,9 @@ class LitMethod {
   virtual void begin_frame() {}
   // Whether the method can light a tile whose texture it has.
   virtual bool can_light(const world::Level&, const render::BlockRequest&) const { return true; }
+  // For methods that take dynamic lights out of the requests of the tiles, which are ordered by draw. Draws
+  // from `first_deferred` on may be translucent.
+  virtual void take_lights(std::span<render::BlockRequest>, std::uint32_t) {}
 
   LitTiles tiles_;
 

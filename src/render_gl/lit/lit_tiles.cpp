@@ -38,8 +38,8 @@ bool LitTiles::has_texture(const world::Level& level, const render::BlockRequest
          textures_.find(request.contents.texture).has_value();
 }
 
-void LitTiles::take(const world::Level& level, const CanLight& can_light,
-                    render::SurfaceRequests& io_requests) {
+std::span<render::BlockRequest> LitTiles::take(const world::Level& level, const CanLight& can_light,
+                                               render::SurfaceRequests& io_requests) {
   const auto needs_block = [&](const render::BlockRequest& request) {
     return !has_texture(level, request) || !can_light(request);
   };
@@ -47,9 +47,10 @@ void LitTiles::take(const world::Level& level, const CanLight& can_light,
   const auto first_lit =
       std::stable_partition(io_requests.blocks.begin(), io_requests.blocks.end(), needs_block);
   const auto blocks = static_cast<std::size_t>(first_lit - io_requests.blocks.begin());
-  for (const render::BlockRequest& request : io_requests.blocks.subspan(blocks))
-    by_draw_[request.draw] = &request;
+  const std::span<render::BlockRequest> lit = io_requests.blocks.subspan(blocks);
+  for (const render::BlockRequest& request : lit) by_draw_[request.draw] = &request;
   io_requests.blocks = io_requests.blocks.first(blocks);
+  return lit;
 }
 
 TileRecord LitTiles::make_record(const world::Level& level, std::uint32_t draw, int texels_power) const {

@@ -18,9 +18,10 @@ class LitTiles {
   void set_filter(const Functions& gl, render::TextureFilter filter);
 
   // Takes the tiles that need no block out of the frame's requests, which must live as long as the frame:
-  // those whose texture is here, and whose light the card can have.
+  // those whose texture is here, and whose light the card can have. Returns their requests, by draw.
   using CanLight = std::function<bool(const render::BlockRequest& request)>;
-  void take(const world::Level& level, const CanLight& can_light, render::SurfaceRequests& io_requests);
+  std::span<render::BlockRequest> take(const world::Level& level, const CanLight& can_light,
+                                       render::SurfaceRequests& io_requests);
 
   // Whether a draw (a number in SurfaceDraws) is one of the frame's lit tiles.
   bool contains(std::uint32_t draw) const { return draw < by_draw_.size() && by_draw_[draw] != nullptr; }

@@ -15,16 +15,25 @@ constexpr std::array kLightOverTexture = {
     LitPass{LitPassKind::kFog, false, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA},
 };
 
+constexpr std::array kTextureOverLights = {
+    LitPass{.kind = LitPassKind::kLight},
+    LitPass{LitPassKind::kPolygons, false, GL_ONE, GL_ONE},
+    LitPass{LitPassKind::kTexture, false, GL_DST_COLOR, GL_SRC_COLOR},
+    LitPass{LitPassKind::kBright, false, GL_ONE, GL_ZERO},
+    LitPass{LitPassKind::kFog, false, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA},
+};
+
 }  // namespace
 
 std::span<const LitPass> find_lit_passes(WorldMethod method) {
   if (method == WorldMethod::kLightPass) return kLightOverTexture;
+  if (method == WorldMethod::kLightPolygons) return kTextureOverLights;
   return kOnePass;
 }
 
 void begin_lit_pass(const Functions& gl, const LitPass& pass) {
   if (pass.is_first) return;
-  gl.DepthFunc(GL_EQUAL);
+  gl.DepthFunc(pass.kind == LitPassKind::kPolygons ? GL_GREATER : GL_EQUAL);
   gl.DepthMask(GL_FALSE);
   gl.Enable(GL_BLEND);
   gl.BlendFunc(pass.source_factor, pass.target_factor);

@@ -7,6 +7,11 @@
 //                = full-bright texels           where a texture has some
 //                + fog                          where there is fog
 //
+//   kLightPolygons   light, half of it          with depth
+//                    + polygons of lights       (polygon_method.h)
+//                    x texture                  the picture times two times the texels
+//                    = and + as above
+//
 // The picture keeps 8 bits between passes, where one pass rounds once: half of the light is rounded to 255
 // steps, so the product is off by up to 1; the card multiplies it twice and adds (2 x picture x light), and
 // each product may be off by a half. So channels of 255 differ by up to 2 from one pass, and fog adds a half.
@@ -33,12 +38,13 @@ enum class LitPassKind : std::uint8_t {
   kTexture,  // the texel
   kLight,    // half of the light, so that light up to twice the texel's color fits
   kBright,   // the full-bright texels; others are left out
-  kFog       // the fog, with its share as alpha
+  kFog,      // the fog, with its share as alpha
+  kPolygons  // lights, as LitMethod::draw_polygons() draws them
 };
-constexpr std::size_t kLitPassKinds = 5;
+constexpr std::size_t kLitPassKinds = 6;
 
 // A pass, and how it is combined with the picture. The first one writes depth, also for faces without light,
-// and later ones draw where depth is equal.
+// and later ones draw where depth is equal, or not hidden, as polygons are nearer than their faces.
 struct LitPass {
   LitPassKind kind = LitPassKind::kWhole;
   bool is_first = true;

@@ -22,7 +22,7 @@ constexpr std::array<const char*, kFaceProgramKinds> kKindNames = {"kBlock", "kB
 
 // The definitions of a pass for kLitColorPart and the shaders that follow it; kWhole: nothing.
 constexpr std::array<const char*, kLitPassKinds> kPassNames = {
-    "", "#define TEXTURE_PASS\n", "#define LIGHT_PASS\n", "#define BRIGHT_PASS\n", "#define FOG_PASS\n"};
+    "", "#define TEXTURE_PASS\n", "#define LIGHT_PASS\n", "#define BRIGHT_PASS\n", "#define FOG_PASS\n", ""};
 
 // Fragment shaders' find_light(). Other kinds do not call it.
 const char* find_light_part(FaceProgramKind kind, WorldMethod method) {
@@ -80,8 +80,9 @@ bool FacePrograms::is_needed(const Variant& variant, const DrawOptions& options)
   if (!has_lit_faces(options.method)) return false;
   if (variant.pass == LitPassKind::kWhole && variant.kind == kLit) return true;
   return (variant.pass == LitPassKind::kWhole || !variant.has_fog) &&
-         std::ranges::any_of(find_lit_passes(options.method),
-                             [&](const LitPass& pass) { return pass.kind == variant.pass; });
+         std::ranges::any_of(find_lit_passes(options.method), [&](const LitPass& pass) {
+           return pass.kind == variant.pass && pass.kind != LitPassKind::kPolygons;
+         });
 }
 
 base::Result<Program> FacePrograms::make_program(const Functions& gl, const Variant& variant,

@@ -8,10 +8,6 @@ namespace temblor::render_gl {
 
 namespace {
 
-// Doors may lie in the plane of a wall, which they cover on the CPU. This share of their distance, 0.03 units
-// at 1000, is more than what rounding does to either.
-constexpr float kBrushModelNearer = 1.0f / 32768;
-
 std::array<float, 9> columns(const math::Vec3d& x, const math::Vec3d& y, const math::Vec3d& z) {
   const math::Vec3 a(x), b(y), c(z);
   return {a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z};

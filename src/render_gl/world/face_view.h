@@ -9,6 +9,10 @@ namespace temblor::render_gl {
 // The units of the card that the programs' textures are bound to.
 constexpr GLenum kRecordsUnit = 0, kAtlasUnit = 1, kSkyboxUnit = 2;
 
+// Doors may lie in the plane of a wall, which they cover on the CPU. This share of their distance, 0.03 units
+// at 1000, is more than what rounding does to either.
+constexpr float kBrushModelNearer = 1.0f / 32768;
+
 // Uses the program from now on, with the frame's values. Those of an instance and of a method are set later.
 void use_face_program(const Functions& gl, const FrameInput& input, const FaceProgram& program,
                       bool has_color_key);

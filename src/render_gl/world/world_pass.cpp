@@ -219,7 +219,10 @@ void WorldPass::draw_opaque_portion(const Functions& gl, const FrameInput& input
   for (const LitPass& pass : find_lit_passes(options_.method)) {
     if (pass.kind == LitPassKind::kFog && !(input.scene().fog.density > 0)) continue;
     begin_lit_pass(gl, pass);
-    draw_lit_pass(gl, input, pass);
+    if (pass.kind == LitPassKind::kPolygons)
+      method_->draw_polygons(gl, input);
+    else
+      draw_lit_pass(gl, input, pass);
   }
   end_lit_passes(gl);
 }

@@ -35,8 +35,8 @@ TEST(CardProgram, MeasuresEveryCacheAndMethod) {
   const json result = json::parse(program.out);
   EXPECT_NE(result.at("driver"), "");
   const json& runs = result.at("runs");
-  constexpr std::array kMethods = {"card's blocks", "lit textures", "light pass", "vertex light",
-                                   "style layers"};
+  constexpr std::array kMethods = {"card's blocks",  "lit textures", "light pass",
+                                   "light polygons", "vertex light", "style layers"};
   constexpr std::size_t kCaches = 8, kRuns = kCaches + kMethods.size();  // at each size
   ASSERT_EQ(runs.size(), 2 * kRuns);
   for (std::size_t i = 0; i < runs.size(); ++i) {

@@ -22,7 +22,8 @@ void check_light_pass(const test::DrawableLevel& drawable, int views, const View
 }
 
 TEST(GlLightPass, ShowsTheCpusPicture) {
-  const ViewContents contents{.with_marks = true, .with_opacity = true, .with_styles = true};
+  const ViewContents contents{
+      .with_marks = true, .with_opacity = true, .with_turns = true, .with_styles = true};
   check_light_pass(test::small_level(), test::effort(20, 3), contents);
   check_light_pass(test::small_level({.colored_light = true}, "colored"), test::effort(10, 3), contents);
 }
@@ -35,6 +36,13 @@ TEST(GlLightPass, ShowsTheCpusPictureOfStockLevels) {
   DATA_FOLDER_OR_SKIP(data);
   for (const char* name : {"start", "lq_e1m2"})
     check_light_pass(test::stock_level(data, name), test::effort(20, 2), {});
+}
+
+// Depth is equal in all passes, however coarse it is.
+TEST(GlLightPass, ShowsTheCpusPictureWithoutClipControl) {
+  const test::DrawableLevel drawable = test::small_level();
+  RENDERER_PAIR_OR_SKIP(pair, drawable, ClipControl::kNo);
+  EXPECT_GE(compare_views(pair, drawable, WorldMethod::kLightPass, test::effort(10, 2), {}).worst, 0.99);
 }
 
 // In the dark, only full-bright texels are left.

@@ -12,6 +12,10 @@ test::Viewpoint make_viewpoint(const world::Level& level, int number, const View
   test::Viewpoint viewpoint{.camera = test::random_camera(level, random),
                             .brush_models = test::shown_brush_models(level),
                             .time_s = random.uniform(0, 100)};
+  if (contents.with_turns) test::displace(level, viewpoint.brush_models, random);
+  if (contents.with_turns)
+    for (render::BrushModelInstance& model : viewpoint.brush_models)
+      model.angles_deg = math::Vec3(random.uniform(-20, 20), random.uniform(0, 360), 0);
   viewpoint.lights = test::random_lights(viewpoint.camera.origin_world, contents.lights, random);
   if (contents.with_marks && number % 2 == 1) viewpoint.marks = test::random_marks(level, 20, random);
   if (contents.with_opacity && number % 3 == 2)

@@ -12,6 +12,7 @@ struct ViewContents {
   bool with_marks = false;    // in every second view
   bool with_fog = false;      // in every fourth view; in every eighth, in parallel projection
   bool with_opacity = false;  // liquids, and in every third view brush models
+  bool with_turns = false;    // brush models have moved and turned
   bool with_styles = false;   // every light style has a random value
 };
 

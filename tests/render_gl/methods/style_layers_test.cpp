@@ -54,17 +54,10 @@ TEST(GlStyleLayers, ShowTheCpusPictureOfStockLevels) {
 TEST(GlStyleLayers, LightBrushModelsThatMove) {
   const test::DrawableLevel drawable = test::small_level();
   RENDERER_PAIR_OR_SKIP(pair, drawable);
-  pair.gl().set_method(WorldMethod::kStyleLayers);
-  for (int number = 0; number < test::effort(20, 2); ++number) {
-    NumberedView view(*drawable.level, number, {.lights = 0});
-    test::Random random(static_cast<std::uint64_t>(number));
-    test::displace(*drawable.level, view.viewpoint.brush_models, random);
-    for (render::BrushModelInstance& model : view.viewpoint.brush_models)
-      model.angles_deg = math::Vec3(random.uniform(-20, 20), random.uniform(0, 360), 0);
-    view.viewpoint.lights = test::random_lights(view.viewpoint.camera.origin_world, 40, random);
-    view.scene = view.viewpoint.scene(*drawable.level);
-    EXPECT_GE(pair.compare(view.scene, {}), 0.99) << "view " << number;
-  }
+  const EqualShares shares = compare_views(pair, drawable, WorldMethod::kStyleLayers, test::effort(20, 2),
+                                           {.lights = 40, .with_turns = true});
+  EXPECT_GE(shares.mean, test::kQuick ? 0.98 : 0.998);
+  EXPECT_GE(shares.worst, 0.98);
 }
 
 // Styles and lights change in every frame. With blocks or grids, all of this light is uploaded again.

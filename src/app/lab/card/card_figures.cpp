@@ -141,8 +141,8 @@ base::Result<std::string> describe_driver(const CardBench& bench) {
 
 // The methods next to the caches of blocks.
 constexpr WorldMethod kOtherMethods[] = {WorldMethod::kCardBlocks, WorldMethod::kLitTextures,
-                                         WorldMethod::kLightPass, WorldMethod::kGouraud,
-                                         WorldMethod::kStyleLayers};
+                                         WorldMethod::kLightPass,  WorldMethod::kLightPolygons,
+                                         WorldMethod::kGouraud,    WorldMethod::kStyleLayers};
 
 const char* method_name(WorldMethod method) {
   switch (method) {
@@ -154,6 +154,8 @@ const char* method_name(WorldMethod method) {
       return "lit textures";
     case WorldMethod::kLightPass:
       return "light pass";
+    case WorldMethod::kLightPolygons:
+      return "light polygons";
     case WorldMethod::kGouraud:
       return "vertex light";
     case WorldMethod::kStyleLayers:
