@@ -12,4 +12,8 @@ DrawOptions choose_options(WorldMethod method, const render::FrameContext& conte
   return {WorldMethod::kLitTextures, settings.filter, settings.sharp_texels};
 }
 
+render::PixelFormat find_block_format(const DrawOptions& options, const render::FrameContext& context) {
+  return options.method == WorldMethod::kExpandedBlocks ? render::PixelFormat::kIndexed : context.format;
+}
+
 }  // namespace temblor::render_gl

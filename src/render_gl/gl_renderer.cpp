@@ -112,12 +112,15 @@ base::Result<render::FrameRecord> GlRenderer::State::build_surfaces(const render
                                                                     const render::FrameBuffer& frame) {
   const render::FrameStages stages;
   render::FrameRecord record;
-  render::SurfaceRequests requests = render::find_surfaces(context, stages, caches.level, frame, record);
+  const DrawOptions options = choose_options(method, context);
+  const render::FrameContext blocks{context.scene,  context.settings, find_block_format(options, context),
+                                    context.colors, context.jobs,     context.arenas};
+  render::SurfaceRequests requests = render::find_surfaces(blocks, stages, caches.level, frame, record);
   render::StageClock clock(record.times);
-  TRY_STATUS(passes->world.take_lit_tiles(gl, context, choose_options(method, context), requests));
-  render::begin_surface_frame(context, caches.surfaces);
-  record.surfaces = render::reserve_surfaces(context, requests, caches.surfaces);
-  render::build_surfaces(context, record.surfaces, caches.mark_tables ? &*caches.mark_tables : nullptr);
+  TRY_STATUS(passes->world.take_lit_tiles(gl, context, options, requests));
+  render::begin_surface_frame(blocks, caches.surfaces);
+  record.surfaces = render::reserve_surfaces(blocks, requests, caches.surfaces);
+  render::build_surfaces(blocks, record.surfaces, caches.mark_tables ? &*caches.mark_tables : nullptr);
   clock.end(render::Stage::kSurfaces);
   return record;
 }

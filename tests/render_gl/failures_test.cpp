@@ -166,7 +166,8 @@ TEST_P(FailingCard, NoticesThatTheCardWasReset) {
 TEST_P(FailingCard, SurvivesFailuresOfEachMethod) {
   using enum WorldMethod;
   if (GetParam() == render::PixelFormat::kIndexed) return;
-  for (const WorldMethod method : {kCardBlocks, kLightPass, kLightPolygons, kGouraud, kStyleLayers}) {
+  for (const WorldMethod method :
+       {kCardBlocks, kExpandedBlocks, kLightPass, kLightPolygons, kGouraud, kStyleLayers}) {
     method_ = method;
     EXPECT_TRUE(make().ok());
     const InjectedGl::Calls before = card_->calls;

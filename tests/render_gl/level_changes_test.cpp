@@ -86,7 +86,7 @@ TEST_P(LevelChanges, KeepNothingOfOldLevels) {
   if (GetParam() == render::PixelFormat::kIndexed) return;
   using enum WorldMethod;
   for (const WorldMethod method :
-       {kLitTextures, kCardBlocks, kLightPass, kLightPolygons, kGouraud, kStyleLayers})
+       {kLitTextures, kCardBlocks, kExpandedBlocks, kLightPass, kLightPolygons, kGouraud, kStyleLayers})
     keep_nothing(method);
 }
 

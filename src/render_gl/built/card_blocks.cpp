@@ -42,8 +42,6 @@ void main() {
 )";
 
 constexpr const char* kFragmentShader = R"(
-uniform bool has_color_key;
-
 flat in vec4 texels;
 flat in vec4 light;
 flat in vec4 picture;
@@ -53,12 +51,7 @@ out vec4 color;
 void main() {
   LitTile tile = LitTile(texels.xy, texels.zw, light.xy, light.z, picture.x, picture.y, light.w);
   vec2 at = floor(gl_FragCoord.xy - begin) * picture.zw + 0.25;
-  color = vec4(find_lit_color(tile, at, vec2(0), vec2(0)), 1.0);
-  if (!has_color_key) return;
-  // Rounded here, as uploads are: some drivers cut colors of 16 bits off. One color stands for clear texels.
-  vec3 steps = floor(color.rgb * vec3(31, 63, 31) + 0.5);
-  if (steps == vec3(31, 0, 31)) steps.r = 30.0;
-  color.rgb = (steps + 0.01) / vec3(31, 63, 31);
+  color = round_color(vec4(find_lit_color(tile, at, vec2(0), vec2(0)), 1.0));
 }
 )";
 
@@ -72,27 +65,19 @@ AtlasKey card_block_key(const world::Level& level, const render::BlockRequest& r
 
 }  // namespace
 
-CardBlocks::CardBlocks(const Functions& gl, LightGrids light, Program program, Framebuffer framebuffer)
-    : GridMethod(std::move(light)),
-      program_(std::move(program)),
-      framebuffer_(std::move(framebuffer)),
-      buffer_(make_buffer(gl)),
-      vertex_array_(make_vertex_array(gl)) {}
+CardBlocks::CardBlocks(LightGrids light, Program program, AtlasPainter painter)
+    : GridMethod(std::move(light)), program_(std::move(program)), painter_(std::move(painter)) {}
 
 base::Result<std::unique_ptr<LitMethod>> CardBlocks::make(const Functions& gl, const BlockAtlas& atlas) {
   const std::string vertex = std::string(kLitTilePart) + kVertexShader;
   std::string fragment = "#define FILTER 0\n";
-  for (const char* part : {kLightScalePart, kLitTilePart, kGridLightPart, kLitColorPart, kFragmentShader})
+  for (const char* part :
+       {kLightScalePart, kLitTilePart, kGridLightPart, kLitColorPart, kAtlasColorPart, kFragmentShader})
     fragment += part;
   TRY(Program program, make_program(gl, vertex.c_str(), fragment.c_str()));
-  Framebuffer framebuffer = make_framebuffer(gl);
-  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
-  gl.FramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, atlas.texture(), 0, 0);
-  if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-    return base::error(base::ErrorCode::kUnsupported, "the graphics card cannot draw into a texture");
+  TRY(AtlasPainter painter, AtlasPainter::make(gl, atlas));
   TRY(LightGrids light, LightGrids::make(gl));
-  return std::unique_ptr<LitMethod>(
-      new CardBlocks(gl, std::move(light), std::move(program), std::move(framebuffer)));
+  return std::unique_ptr<LitMethod>(new CardBlocks(std::move(light), std::move(program), std::move(painter)));
 }
 
 // A block that is there needs no light, so its grid may make room for others. A new one asks for its light
@@ -130,12 +115,6 @@ void CardBlocks::bind(const Functions& gl, const BlockAtlas& atlas) const {
   gl.ActiveTexture(GL_TEXTURE0 + kLightUnit);
   gl.BindTexture(GL_TEXTURE_2D_ARRAY, light_.texture());
   gl.ActiveTexture(GL_TEXTURE0 + kTexturesUnit);
-  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
-  gl.Viewport(0, 0, atlas.side(), atlas.side());
-  gl.Disable(GL_DITHER);
-  gl.Disable(GL_BLEND);
-  gl.Disable(GL_CULL_FACE);
-  gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
 // One call for all blocks of a layer with textures of one array.
@@ -144,28 +123,14 @@ void CardBlocks::end_portion(const Functions& gl, const FrameInput&, const Block
   const auto group = [](const Job& job) { return std::tuple(job.layer, job.array); };
   std::ranges::stable_sort(jobs_, {}, group);
   bind(gl, atlas);
-  gl.BindVertexArray(vertex_array_.name());
-  gl.BindBuffer(GL_ARRAY_BUFFER, buffer_.name());
-  gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(jobs_.size() * sizeof(Job)), jobs_.data(),
-                GL_STREAM_DRAW);
+  painter_.begin(gl, atlas, jobs_.data(), jobs_.size(), sizeof(Job));
   for (std::size_t begin = 0, end = 0; begin < jobs_.size(); begin = end) {
     while (end < jobs_.size() && group(jobs_[end]) == group(jobs_[begin])) ++end;
-    const auto set_input = [&](GLuint location, GLint count, std::size_t offset) {
-      gl.EnableVertexAttribArray(location);
-      gl.VertexAttribIPointer(location, count, GL_UNSIGNED_INT, sizeof(Job),
-                              reinterpret_cast<const void*>(begin * sizeof(Job) + offset));
-      gl.VertexAttribDivisor(location, 1);
-    };
-    set_input(0, 4, offsetof(Job, lit));
-    set_input(1, 3, offsetof(Job, mapping));
-    gl.FramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, atlas.texture(), 0, jobs_[begin].layer);
     gl.BindTexture(GL_TEXTURE_2D_ARRAY, tiles_.array_texture(jobs_[begin].array));
-    gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(end - begin));
+    painter_.draw(gl, atlas, {begin, end - begin, sizeof(Job), jobs_[begin].layer},
+                  {{0, 4, offsetof(Job, lit)}, {1, 3, offsetof(Job, mapping)}});
   }
-  gl.BindVertexArray(0);
-  // Target leaves it so: alpha is only for blending.
-  gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
-  gl.ActiveTexture(GL_TEXTURE0);
+  painter_.end(gl);
   jobs_.clear();
 }
 

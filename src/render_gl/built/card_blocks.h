@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "render_gl/gl/objects.h"
+#include "render_gl/built/atlas_painter.h"
 #include "render_gl/lit/grid_method.h"
 
 namespace temblor::render_gl {
@@ -39,13 +39,11 @@ class CardBlocks final : public GridMethod {
     std::uint32_t place, size;         // in the atlas: x | y << 16, width | height << 16
   };
 
-  CardBlocks(const Functions& gl, LightGrids light, Program program, Framebuffer framebuffer);
+  CardBlocks(LightGrids light, Program program, AtlasPainter painter);
   void bind(const Functions& gl, const BlockAtlas& atlas) const;
 
   Program program_;
-  Framebuffer framebuffer_;
-  Buffer buffer_;
-  VertexArray vertex_array_;
+  AtlasPainter painter_;
   std::vector<Job> jobs_;
 };
 

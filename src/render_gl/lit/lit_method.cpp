@@ -1,6 +1,7 @@
 #include "render_gl/lit/lit_method.h"
 
 #include "render_gl/built/card_blocks.h"
+#include "render_gl/built/expanded_blocks.h"
 #include "render_gl/lit/grid_method.h"
 #include "render_gl/passes/polygon_method.h"
 #include "render_gl/styles/style_method.h"
@@ -44,6 +45,8 @@ base::Result<std::unique_ptr<LitMethod>> make_lit_method(const Functions& gl, Wo
   switch (method) {
     case WorldMethod::kBlocks:
       return std::unique_ptr<LitMethod>();
+    case WorldMethod::kExpandedBlocks:
+      return ExpandedBlocks::make(gl, atlas);
     case WorldMethod::kCardBlocks:
       return CardBlocks::make(gl, atlas);
     case WorldMethod::kLitTextures:

@@ -6,7 +6,8 @@
 //             |   |--> CardBlocks      the product is drawn into surface blocks: kCardBlocks
 //             |   \--> PolygonMethod   dynamic lights are polygons: kLightPolygons
 //             |--> VertexMethod   light at vertices: kGouraud
-//             \--> StyleMethod    light maps as they are stored: kStyleLayers
+//             |--> StyleMethod    light maps as they are stored: kStyleLayers
+//             \--> ExpandedBlocks   blocks of palette indices: kExpandedBlocks
 #pragma once
 
 #include <cstdint>
@@ -51,6 +52,8 @@ class LitMethod {
   virtual bool separates_lights() const { return false; }
   // Comes before the frame's first portion. Fails if the card lacks the memory.
   virtual base::Status prepare(const Functions&, const FrameInput&) { return base::Ok{}; }
+  // Whether a draw (a number in SurfaceDraws) is placed by the method.
+  virtual bool has_tile(const FrameInput&, std::uint32_t draw) const { return tiles_.contains(draw); }
   // The tiles that follow are drawn together, up to end_portion().
   virtual void begin_portion() {}
   // The record of a lit tile. Nothing if the portion is full.

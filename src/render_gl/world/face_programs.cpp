@@ -31,7 +31,8 @@ const char* find_light_part(FaceProgramKind kind, WorldMethod method) {
 }
 
 bool has_lit_faces(WorldMethod method) {
-  return method != WorldMethod::kBlocks && method != WorldMethod::kCardBlocks;
+  using enum WorldMethod;
+  return method != kBlocks && method != kExpandedBlocks && method != kCardBlocks;
 }
 
 }  // namespace

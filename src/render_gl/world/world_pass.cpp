@@ -126,7 +126,7 @@ void WorldPass::begin_portion(const Functions& gl, const FrameInput& input) {
 
 std::optional<TileRecord> WorldPass::place_draw(const Functions& gl, const FrameInput& input,
                                                 std::uint32_t draw) {
-  if (!method_ || !method_->tiles().contains(draw)) return place_tile(gl, input, draw, atlas_);
+  if (!method_ || !method_->has_tile(input, draw)) return place_tile(gl, input, draw, atlas_);
   return method_->place(gl, input, draw, atlas_);
 }
 

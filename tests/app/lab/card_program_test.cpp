@@ -35,9 +35,9 @@ TEST(CardProgram, MeasuresEveryCacheAndMethod) {
   const json result = json::parse(program.out);
   EXPECT_NE(result.at("driver"), "");
   const json& runs = result.at("runs");
-  constexpr std::array kMethods = {"card's blocks",  "lit textures", "light pass",
-                                   "light polygons", "vertex light", "style layers"};
-  constexpr std::size_t kCaches = 8, kRuns = kCaches + kMethods.size();  // at each size
+  constexpr std::array kMethods = {"8 bit expanded", "card's blocks", "lit textures", "light pass",
+                                   "light polygons", "vertex light",  "style layers"};
+  constexpr std::size_t kCaches = 12, kRuns = kCaches + kMethods.size();  // at each size
   ASSERT_EQ(runs.size(), 2 * kRuns);
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const json& run = runs[i];
@@ -45,7 +45,7 @@ TEST(CardProgram, MeasuresEveryCacheAndMethod) {
     ASSERT_FALSE(run.contains("problem")) << run;
     EXPECT_EQ(run.at("size"), i < kRuns ? "160x120" : "320x200");
     EXPECT_EQ(run.at("method"), number < kCaches ? "blocks" : kMethods[number - kCaches]);
-    EXPECT_EQ(run.at("bits"), number / 4 == 1 ? 16 : 32);
+    EXPECT_EQ(run.at("bits"), number < kCaches ? (std::array{32, 16, 8})[number / 4] : 32);
     EXPECT_EQ(run.at("megabytes"), number < kCaches ? (std::array{2, 4, 64, 256})[number % 4] : 64);
     const int cache_bytes = run.at("megabytes").get<int>() << 20;
     if (number < kCaches)
@@ -56,9 +56,11 @@ TEST(CardProgram, MeasuresEveryCacheAndMethod) {
     EXPECT_GT(run.at("frame_ms").at("p50"), 0.0);
     EXPECT_GE(run.at("frame_ms").at("max"), run.at("frame_ms").at("p99"));
     EXPECT_GE(run.at("portions"), 1.0);
-    EXPECT_GT(run.at("hits").get<double>() + run.at("uploads").get<double>(), 0.0);
+    if (run.at("method") != "style layers")  // whose light is there since the first frame
+      EXPECT_GT(run.at("hits").get<double>() + run.at("uploads").get<double>(), 0.0);
     EXPECT_GE(run.at("max_bytes_uploaded"), run.at("bytes_uploaded"));
-    const bool is_exact = run.at("bits") == 32 && run.at("method") != "vertex light";
+    const bool is_exact =
+        run.at("bits") != 16 && run.at("method") != "vertex light" && run.at("method") != "8 bit expanded";
     if (is_exact) EXPECT_GE(run.at("equal_share"), 0.95);
   }
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdlib>
 #include <functional>
@@ -33,19 +34,30 @@ int largest_difference(std::uint32_t a, std::uint32_t b) {
 
 double compute_equal_share(const render::FrameBuffer& a, const render::FrameBuffer& b) {
   std::size_t equal = 0;
+  if (a.format() == render::PixelFormat::kIndexed) {
+    for (std::size_t i = 0; i < a.pixel_count(); ++i) equal += a.indexed()[i] == b.indexed()[i];
+    return static_cast<double>(equal) / static_cast<double>(a.pixel_count());
+  }
   for (std::size_t i = 0; i < a.pixel_count(); ++i) equal += largest_difference(a.rgb()[i], b.rgb()[i]) <= 2;
   return static_cast<double>(equal) / static_cast<double>(a.pixel_count());
+}
+
+// Caches of indices are for indexed frames.
+render::PixelFormat find_format(const CardFigures& figures) {
+  return figures.cache.format == TexelFormat::k8Bit ? render::PixelFormat::kIndexed
+                                                    : render::PixelFormat::kRgb;
 }
 
 // Draws frames with one cache, and keeps their figures.
 class CardRun {
  public:
-  CardRun(render_gl::GlRenderer gl, render::Renderer& cpu, FrameSize size, const render::Settings& settings)
+  CardRun(render_gl::GlRenderer gl, render::Renderer& cpu, const CardFigures& figures,
+          const render::Settings& settings)
       : gl_(std::move(gl)),
         cpu_(cpu),
         settings_(settings),
-        gl_frame_(size.width, size.height, render::PixelFormat::kRgb),
-        cpu_frame_(size.width, size.height, render::PixelFormat::kRgb) {}
+        gl_frame_(figures.size.width, figures.size.height, find_format(figures)),
+        cpu_frame_(figures.size.width, figures.size.height, find_format(figures)) {}
 
   // The first scene is drawn twice, so that the frames take as long as in the middle of a game.
   base::Status draw(const render::Scene& scene) {
@@ -116,10 +128,13 @@ struct CardBench {
 
 base::Status measure_run(CardBench& io_bench, const CardLimit& limit, CardFigures& io_figures) {
   const assets::Look& look = io_bench.scenes.look();
+  render_gl::CacheOptions cache = io_figures.cache;
+  // The renderer takes a quarter for indices.
+  if (cache.format == TexelFormat::k8Bit) cache.bytes *= 4;
   TRY(render_gl::GlRenderer gl,
-      render_gl::GlRenderer::make(io_bench.find_function, look.palette, look.colormap, io_figures.cache));
+      render_gl::GlRenderer::make(io_bench.find_function, look.palette, look.colormap, cache));
   gl.set_method(io_figures.method);
-  CardRun run(std::move(gl), io_bench.cpu, io_figures.size, io_bench.settings);
+  CardRun run(std::move(gl), io_bench.cpu, io_figures, io_bench.settings);
   base::Status drawn = base::Ok{};
   const double end_s = clock_s() + limit.seconds;
   TRY_STATUS(io_bench.scenes.play(io_bench.grid.step_deg, [&](const render::Scene& scene) {
@@ -140,14 +155,17 @@ base::Result<std::string> describe_driver(const CardBench& bench) {
 }
 
 // The methods next to the caches of blocks.
-constexpr WorldMethod kOtherMethods[] = {WorldMethod::kCardBlocks, WorldMethod::kLitTextures,
-                                         WorldMethod::kLightPass,  WorldMethod::kLightPolygons,
-                                         WorldMethod::kGouraud,    WorldMethod::kStyleLayers};
+constexpr std::array kOtherMethods = {WorldMethod::kExpandedBlocks, WorldMethod::kCardBlocks,
+                                      WorldMethod::kLitTextures,    WorldMethod::kLightPass,
+                                      WorldMethod::kLightPolygons,  WorldMethod::kGouraud,
+                                      WorldMethod::kStyleLayers};
 
 const char* method_name(WorldMethod method) {
   switch (method) {
     case WorldMethod::kBlocks:
       return "blocks";
+    case WorldMethod::kExpandedBlocks:
+      return "8 bit expanded";
     case WorldMethod::kCardBlocks:
       return "card's blocks";
     case WorldMethod::kLitTextures:
@@ -164,10 +182,14 @@ const char* method_name(WorldMethod method) {
   return "";
 }
 
+int count_bits(TexelFormat format) {
+  if (format == TexelFormat::k8Bit) return 8;
+  return format == TexelFormat::k16Bit ? 16 : 32;
+}
+
 std::string describe_run(const CardFigures& figures) {
   if (figures.method != WorldMethod::kBlocks) return method_name(figures.method);
-  return fmt::format("{} MB, {}", figures.cache.bytes >> 20,
-                     figures.cache.format == TexelFormat::k16Bit ? "16 bit" : "32 bit");
+  return fmt::format("{} MB, {} bit", figures.cache.bytes >> 20, count_bits(figures.cache.format));
 }
 
 // The runs at one size.
@@ -180,7 +202,7 @@ std::vector<CardFigures> plan_runs(const CardGrid& grid, FrameSize size) {
     figures.cache = cache;
     runs.push_back(figures);
   };
-  for (const TexelFormat format : {TexelFormat::k32Bit, TexelFormat::k16Bit})
+  for (const TexelFormat format : {TexelFormat::k32Bit, TexelFormat::k16Bit, TexelFormat::k8Bit})
     for (const std::size_t megabytes : grid.megabytes)
       add(WorldMethod::kBlocks, {.bytes = megabytes << 20, .format = format});
   for (const WorldMethod method : kOtherMethods) add(method, {});
@@ -247,7 +269,7 @@ nlohmann::json make_card_json(const CardResults& results) {
     runs.push_back({{"size", format_size(f.size)},
                     {"method", method_name(f.method)},
                     {"megabytes", f.cache.bytes >> 20},
-                    {"bits", f.cache.format == TexelFormat::k16Bit ? 16 : 32}});
+                    {"bits", count_bits(f.cache.format)}});
     nlohmann::json& run = runs.back();
     if (!f.problem.empty()) {
       run["problem"] = f.problem;

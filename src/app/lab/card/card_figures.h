@@ -35,14 +35,17 @@ struct CardFigures {
   Distribution frame_ms;
   double hits = 0, uploads = 0, evicted = 0, portions = 0, bytes_uploaded = 0;
   double max_bytes_uploaded = 0;
-  // Pixels whose channels are within 2 of 255 of the CPU's: their share, in a sample of the frames.
+  // Pixels whose channels are within 2 of 255 of the CPU's: their share, in a sample of the frames. With 8
+  // bits: pixels whose palette index is the CPU's in 256 colors.
   double equal_share = 0;
   std::string problem;  // why this cache could not be measured; else empty
 };
 
 struct CardResults {
   std::string name, driver;
-  // By size. First kBlocks by format, then megabytes, then the other methods with 64 MB.
+  // By size. First kBlocks by format, then megabytes, then the other methods with 64 MB. Frames of texels
+  // with 8 bits are indexed: palette indices are what the card keeps, as "8-bpp palettized hardware
+  // textures".
   std::vector<CardFigures> runs;
 };
 
@@ -56,7 +59,7 @@ std::string describe_card(const CardResults& results);
 
 // An object: scene, driver, and a list "runs" of
 //
-//   size, method, megabytes, bits, cache_bytes, frames
+//   size, method, megabytes, bits (32, 16, or 8), cache_bytes, frames
 //   frame_ms {p50, p99, max}
 //   hits, uploads, evicted, portions, bytes_uploaded     means per frame
 //   max_bytes_uploaded                                   in one frame
