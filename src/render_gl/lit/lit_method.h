@@ -2,12 +2,12 @@
 // surface blocks. A method takes its tiles out of the frame's requests, and makes their records in the
 // TileTable. Tiles that only the CPU can compose keep their blocks.
 //
-//   LitMethod --> GridMethod     light in grids that the CPU sums: kLitTextures, kLightPass
+//   LitMethod --> GridMethod         light in grids that the CPU sums: kLitTextures, kLightPass
 //             |   |--> CardBlocks      the product is drawn into surface blocks: kCardBlocks
 //             |   \--> PolygonMethod   dynamic lights are polygons: kLightPolygons
-//             |--> VertexMethod   light at vertices: kGouraud
-//             |--> StyleMethod    light maps as they are stored: kStyleLayers
-//             \--> ExpandedBlocks   blocks of palette indices: kExpandedBlocks
+//             |--> VertexMethod       light at vertices: kGouraud
+//             |--> StyleMethod        light maps as they are stored: kStyleLayers
+//             \--> ExpandedBlocks     blocks of palette indices: kExpandedBlocks
 #pragma once
 
 #include <cstdint>

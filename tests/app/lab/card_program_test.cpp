@@ -34,6 +34,7 @@ TEST(CardProgram, MeasuresEveryCacheAndMethod) {
   ASSERT_EQ(program.exit_status, 0) << program.err;
   const json result = json::parse(program.out);
   EXPECT_NE(result.at("driver"), "");
+  EXPECT_EQ(result.at("lights"), 0);
   const json& runs = result.at("runs");
   constexpr std::array kMethods = {"8 bit expanded", "card's blocks", "lit textures", "light pass",
                                    "light polygons", "vertex light",  "style layers"};
@@ -67,9 +68,10 @@ TEST(CardProgram, MeasuresEveryCacheAndMethod) {
 
 TEST(CardProgram, PrintsATable) {
   if (!has_opengl()) GTEST_SKIP() << "no OpenGL";
-  const ProgramRun run = run_card({"--size", "160x120"});
+  const ProgramRun run = run_card({"--size", "160x120", "--lights", "3"});
   ASSERT_EQ(run.exit_status, 0) << run.err;
-  for (const char* text : {"\n160x120, ", "\n  2 MB, 32 bit ", "\n  256 MB, 16 bit "})
+  for (const char* text : {"\nwith 3 lights around the eye\n", "\n160x120, ", "\n  2 MB, 32 bit ",
+                           "\n  256 MB, 16 bit ", "\n  4 MB, 8 bit ", "\n  style layers "})
     EXPECT_THAT(run.out, HasSubstr(text));
 }
 
@@ -88,6 +90,7 @@ TEST(CardProgram, RefusesMistakes) {
   EXPECT_THAT(run_card({"--map", "x", "--demo", "y"}).err, HasSubstr("--demo"));
   EXPECT_EQ(run_card({"--map", "x", "--demo", "y"}).exit_status, 2);
   EXPECT_EQ(run_card({"--seconds", "0"}).exit_status, 2);
+  EXPECT_EQ(run_card({"--lights", "-1"}).exit_status, 2);
   EXPECT_EQ(run_card({"--map", "no_such_level"}).exit_status, 1);
 }
 

@@ -10,8 +10,8 @@
 namespace temblor::app {
 
 Command* add_card_command(Command& lab, CardOptions& io_options) {
-  Command* command =
-      lab.add_subcommand(kCardName, "Measure caches of surfaces in the memory of the graphics card");
+  Command* command = lab.add_subcommand(
+      kCardName, "Measure ways to draw levels with a graphics card, and its caches of surfaces");
   const Option* map = command
                           ->add_option("--map", io_options.map,
                                        "Level of the game, or a .bsp file (default: a small built-in level)")
@@ -31,6 +31,12 @@ Command* add_card_command(Command& lab, CardOptions& io_options) {
                    "Time of the first cache of each size; the others draw the same frames")
       ->type_name("S")
       ->check(in_range(0.01, 1000.0))
+      ->capture_default_str();
+  command
+      ->add_option("--lights", io_options.grid.lights,
+                   "Lights that move around the eye, to see what they cost")
+      ->type_name("COUNT")
+      ->check(in_range(0, 100))
       ->capture_default_str();
   command->add_flag("--json", io_options.json, "Print JSON");
   return command;

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstdlib>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <utility>
 
 #include "app/bench/measurement_output.h"
@@ -48,19 +50,36 @@ render::PixelFormat find_format(const CardFigures& figures) {
                                                     : render::PixelFormat::kRgb;
 }
 
+// Lights that circle around the eye, a little further in each frame, as rockets and explosions do.
+std::vector<render::DynamicLight> make_lights(const render::Scene& scene, int count, std::size_t frame) {
+  constexpr double kStep_radians = 0.1, kTurn_radians = 2 * std::numbers::pi;
+  constexpr float kDistance = 80, kRadius = 250;
+  std::vector<render::DynamicLight> lights(scene.lights.begin(), scene.lights.end());
+  for (int i = 0; i < count; ++i) {
+    const double angle = static_cast<double>(frame) * kStep_radians + kTurn_radians * i / count;
+    const math::Vec3 offset(std::cos(angle), std::sin(angle), 0);
+    lights.push_back({.origin_world = scene.camera.origin_world + offset * kDistance, .radius = kRadius});
+  }
+  return lights;
+}
+
 // Draws frames with one cache, and keeps their figures.
 class CardRun {
  public:
   CardRun(render_gl::GlRenderer gl, render::Renderer& cpu, const CardFigures& figures,
-          const render::Settings& settings)
+          const render::Settings& settings, int lights)
       : gl_(std::move(gl)),
         cpu_(cpu),
         settings_(settings),
+        lights_(lights),
         gl_frame_(figures.size.width, figures.size.height, find_format(figures)),
         cpu_frame_(figures.size.width, figures.size.height, find_format(figures)) {}
 
   // The first scene is drawn twice, so that the frames take as long as in the middle of a game.
-  base::Status draw(const render::Scene& scene) {
+  base::Status draw(const render::Scene& played) {
+    render::Scene scene = played;
+    const std::vector<render::DynamicLight> lights = make_lights(played, lights_, frames());
+    scene.lights = lights;
     if (frame_ms_.empty()) TRY_STATUS(gl_.render(scene, settings_, gl_frame_));
     base::Status drawn = base::Ok{};
     frame_ms_.push_back(time_ms([&] {
@@ -106,6 +125,7 @@ class CardRun {
   render_gl::GlRenderer gl_;
   render::Renderer& cpu_;
   const render::Settings& settings_;
+  int lights_;
   render::FrameBuffer gl_frame_, cpu_frame_;
   std::vector<double> frame_ms_, equal_shares_;
   double hits_ = 0, uploads_ = 0, evicted_ = 0, portions_ = 0, bytes_uploaded_ = 0, max_bytes_uploaded_ = 0;
@@ -134,7 +154,7 @@ base::Status measure_run(CardBench& io_bench, const CardLimit& limit, CardFigure
   TRY(render_gl::GlRenderer gl,
       render_gl::GlRenderer::make(io_bench.find_function, look.palette, look.colormap, cache));
   gl.set_method(io_figures.method);
-  CardRun run(std::move(gl), io_bench.cpu, io_figures, io_bench.settings);
+  CardRun run(std::move(gl), io_bench.cpu, io_figures, io_bench.settings, io_bench.grid.lights);
   base::Status drawn = base::Ok{};
   const double end_s = clock_s() + limit.seconds;
   TRY_STATUS(io_bench.scenes.play(io_bench.grid.step_deg, [&](const render::Scene& scene) {
@@ -219,6 +239,7 @@ base::Result<CardResults> measure_card(const LabScenes& scenes, const CardGrid& 
                   render::Renderer(scenes.look().palette, scenes.look().colormap)};
   CardResults results;
   results.name = scenes.name();
+  results.lights = grid.lights;
   TRY(results.driver, describe_driver(bench));
   Progress progress("runs");
   for (const FrameSize size : grid.sizes) {
@@ -238,6 +259,7 @@ base::Result<CardResults> measure_card(const LabScenes& scenes, const CardGrid& 
 std::string describe_card(const CardResults& results) {
   std::string text =
       fmt::format("{}: surfaces, and light, in the memory of the card\n{}\n", results.name, results.driver);
+  if (results.lights > 0) text += fmt::format("with {} lights around the eye\n", results.lights);
   const CardFigures* previous = nullptr;
   for (const CardFigures& f : results.runs) {
     if (previous == nullptr || format_size(previous->size) != format_size(f.size))
@@ -286,7 +308,10 @@ nlohmann::json make_card_json(const CardResults& results) {
                 {"max_bytes_uploaded", f.max_bytes_uploaded},
                 {"equal_share", f.equal_share}});
   }
-  return {{"scene", results.name}, {"driver", results.driver}, {"runs", std::move(runs)}};
+  return {{"scene", results.name},
+          {"driver", results.driver},
+          {"lights", results.lights},
+          {"runs", std::move(runs)}};
 }
 
 }  // namespace temblor::app

@@ -21,6 +21,7 @@ struct CardGrid {
   std::vector<std::size_t> megabytes{2, 4, 64, 256};
   double step_deg = 5;   // between two views of a level
   double seconds = 2.5;  // that the first cache of each size draws
+  int lights = 0;        // that move around the eye, besides those of the scene
 };
 
 // One cache, or another method, at one frame size. Counts are means per frame, after the first one, which
@@ -43,6 +44,7 @@ struct CardFigures {
 
 struct CardResults {
   std::string name, driver;
+  int lights = 0;
   // By size. First kBlocks by format, then megabytes, then the other methods with 64 MB. Frames of texels
   // with 8 bits are indexed: palette indices are what the card keeps, as "8-bpp palettized hardware
   // textures".
@@ -57,7 +59,7 @@ base::Result<CardResults> measure_card(const LabScenes& scenes, const CardGrid& 
 // A table for each size.
 std::string describe_card(const CardResults& results);
 
-// An object: scene, driver, and a list "runs" of
+// An object: scene, driver, lights, and a list "runs" of
 //
 //   size, method, megabytes, bits (32, 16, or 8), cache_bytes, frames
 //   frame_ms {p50, p99, max}
