@@ -12,6 +12,7 @@
 #include "app/files/picture_file.h"
 #include "app/lab/book/school_pages.h"
 #include "app/lab/book/write_book.h"
+#include "app/lab/card/card_methods.h"
 #include "app/lab/lab_picture.h"
 #include "app/lab/lab_scenes.h"
 #include "app/lab/technique_figures.h"
@@ -131,7 +132,7 @@ void print_list(bool json) {
       fmt::print("  {}={}, {} to {}. {}\n", parameter.name, parameter.value, parameter.min, parameter.max,
                  parameter.meaning);
   }
-  fmt::print("{}{}", describe_space(), describe_wire_methods());
+  fmt::print("{}{}{}", describe_space(), describe_wire_methods(), describe_card_methods());
 }
 
 // The first option that is for levels only, or nothing.

@@ -13,6 +13,7 @@
 #include "app/lab/book/space_page.h"
 #include "app/lab/book/wire_page.h"
 #include "app/lab/book/write_book.h"
+#include "app/lab/card/card_pictures.h"
 #include "app/lab/model_grid.h"
 #include "app/lab/wire/wire_command.h"
 #include "app/program.h"
@@ -136,6 +137,7 @@ TEST(LabBook, WritesPagesAndPictures) {
   options.sizes = {{32, 24}, {64, 48}};
   options.grid.distances = {30};
   options.grid.counts = {1, 3};
+  options.card = {.sizes = {{32, 24}}, .megabytes = {2}, .step_deg = 360, .seconds = 0.01};
   const std::filesystem::path book = folder.path() / "new" / "book";
   const app::WireResults wire = app::measure_wire({.latency_ms = {200, 200}, .seconds = 5}, {}).value();
   ASSERT_TRUE(app::write_book(book, levels, model_scenes, wire, options));
@@ -145,6 +147,15 @@ TEST(LabBook, WritesPagesAndPictures) {
   EXPECT_TRUE(std::filesystem::exists(book / "space.html"));
   EXPECT_THAT(index, HasSubstr("href=\"wire.html\""));
   EXPECT_TRUE(std::filesystem::exists(book / "wire.html"));
+  EXPECT_THAT(index, HasSubstr("href=\"card.html\""));
+  const std::string cards = read_text(book / "card.html");
+  EXPECT_EQ(find_markup_fault(cards), "");
+  const bool has_gl = cards.find("Not measured: ") == std::string::npos;
+  for (const app::CardMethod& method : app::list_card_methods()) {
+    if (!has_gl) continue;
+    EXPECT_THAT(cards, HasSubstr("src=\"" + app::card_picture_name(method)));
+    EXPECT_EQ(read_png(book / app::card_picture_name(method)).width, 3u * 640) << method.name;
+  }
   EXPECT_THAT(index, HasSubstr("14 ms, 56 ms at 18 ticks per second, 97 ms at 10 ticks per second"));
   EXPECT_THAT(index, HasSubstr("several hundred milliseconds</td><td class=\"n\">403 ms"));
   for (const app::BookChapter& chapter : app::list_book_chapters()) {

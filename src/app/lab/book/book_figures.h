@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/lab/card/card_figures.h"
 #include "app/lab/engine_figures.h"
 #include "app/lab/lab_scenes.h"
 #include "app/lab/model_grid.h"
@@ -24,6 +25,8 @@ struct BookOptions {
   std::vector<FrameSize> sizes{{320, 200}, {640, 400}, {1280, 720}, {1920, 1080}};
   // Distances, numbers, and limits; the rest is as above.
   GridOptions grid;
+  // Frames on graphics cards.
+  CardGrid card{.sizes = {{320, 200}, {640, 480}}, .megabytes = {2, 4, 64}, .seconds = 0.7};
 };
 
 // The figures of all techniques in one level.

@@ -313,7 +313,7 @@ std::string make_index_page(const BookInput& input) {
          "<p><a href=\"school.html\">The school</a> is for beginners: a small renderer, from a line to a "
          "scene. <a href=\"space.html\">The space battle</a> is the article's program for edges sorted by "
          "1/z, without a level. <a href=\"wire.html\">The wire</a> compares ways to send a game to its "
-         "players.</p>\n" +
+         "players, and <a href=\"card.html\">Graphics cards</a> ways to draw with OpenGL.</p>\n" +
          make_conditions(input, input.figures) + make_verdicts(input) + make_numbers(input) + end_page();
 }
 

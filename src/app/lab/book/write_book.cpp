@@ -5,6 +5,7 @@
 #include "app/files/atomic_write.h"
 #include "app/files/system.h"
 #include "app/lab/book/book_pages.h"
+#include "app/lab/book/card_page.h"
 #include "app/lab/book/school_pages.h"
 #include "app/lab/book/space_page.h"
 #include "app/lab/book/wire_page.h"
@@ -133,6 +134,7 @@ base::Status write_book(const fs::path& folder, std::span<const LabScenes> level
   TRY_STATUS(write_school(folder));
   TRY_STATUS(write_space_page(folder, options.size));
   TRY_STATUS(write_wire_page(folder, wire));
+  TRY_STATUS(write_card_page(folder, levels.front(), options.card, options.settings));
   TRY(BookFigures figures, measure_book(levels, techniques, options));
   figures.wire = wire;
   TRY(BookFigures model_figures, measure_book(model_scenes, of_models, options));

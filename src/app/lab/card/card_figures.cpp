@@ -16,6 +16,7 @@
 #include "app/bench/samples.h"
 #include "app/files/progress.h"
 #include "app/files/system.h"
+#include "app/lab/card/card_methods.h"
 #include "platform/egl/offscreen_context.h"
 #include "render/renderer.h"
 #include "render_gl/gl_renderer.h"
@@ -87,6 +88,8 @@ class CardRun {
       if (!stats.ok()) drawn = stats.error();
     }));
     TRY_STATUS(drawn);
+    // Of one of the last frames, so that nothing waits for it.
+    if (const std::optional<double> card_s = gl_.card_seconds()) card_ms_.push_back(*card_s * 1000);
     count(gl_.cache_counts());
     // A sample that grows with the logarithm of the frames.
     if (std::has_single_bit(frame_ms_.size())) {
@@ -102,6 +105,7 @@ class CardRun {
     io_figures.cache_bytes = gl_.cache_bytes();
     io_figures.frames = frames();
     io_figures.frame_ms = compute_distribution(frame_ms_);
+    if (!card_ms_.empty()) io_figures.card_ms = compute_distribution(card_ms_);
     const auto mean = [&](double sum) { return frames() == 0 ? 0 : sum / static_cast<double>(frames()); };
     io_figures.hits = mean(hits_);
     io_figures.uploads = mean(uploads_);
@@ -127,7 +131,7 @@ class CardRun {
   const render::Settings& settings_;
   int lights_;
   render::FrameBuffer gl_frame_, cpu_frame_;
-  std::vector<double> frame_ms_, equal_shares_;
+  std::vector<double> frame_ms_, card_ms_, equal_shares_;
   double hits_ = 0, uploads_ = 0, evicted_ = 0, portions_ = 0, bytes_uploaded_ = 0, max_bytes_uploaded_ = 0;
 };
 
@@ -174,41 +178,8 @@ base::Result<std::string> describe_driver(const CardBench& bench) {
   return gl.describe();
 }
 
-// The methods next to the caches of blocks.
-constexpr std::array kOtherMethods = {WorldMethod::kExpandedBlocks, WorldMethod::kCardBlocks,
-                                      WorldMethod::kLitTextures,    WorldMethod::kLightPass,
-                                      WorldMethod::kLightPolygons,  WorldMethod::kGouraud,
-                                      WorldMethod::kStyleLayers};
-
-const char* method_name(WorldMethod method) {
-  switch (method) {
-    case WorldMethod::kBlocks:
-      return "blocks";
-    case WorldMethod::kExpandedBlocks:
-      return "8 bit expanded";
-    case WorldMethod::kCardBlocks:
-      return "card's blocks";
-    case WorldMethod::kLitTextures:
-      return "lit textures";
-    case WorldMethod::kLightPass:
-      return "light pass";
-    case WorldMethod::kLightPolygons:
-      return "light polygons";
-    case WorldMethod::kGouraud:
-      return "vertex light";
-    case WorldMethod::kStyleLayers:
-      return "style layers";
-  }
-  return "";
-}
-
-int count_bits(TexelFormat format) {
-  if (format == TexelFormat::k8Bit) return 8;
-  return format == TexelFormat::k16Bit ? 16 : 32;
-}
-
 std::string describe_run(const CardFigures& figures) {
-  if (figures.method != WorldMethod::kBlocks) return method_name(figures.method);
+  if (figures.method != WorldMethod::kBlocks) return find_card_method(figures.method).name;
   return fmt::format("{} MB, {} bit", figures.cache.bytes >> 20, count_bits(figures.cache.format));
 }
 
@@ -225,11 +196,17 @@ std::vector<CardFigures> plan_runs(const CardGrid& grid, FrameSize size) {
   for (const TexelFormat format : {TexelFormat::k32Bit, TexelFormat::k16Bit, TexelFormat::k8Bit})
     for (const std::size_t megabytes : grid.megabytes)
       add(WorldMethod::kBlocks, {.bytes = megabytes << 20, .format = format});
-  for (const WorldMethod method : kOtherMethods) add(method, {});
+  for (const CardMethod& each : list_card_methods())
+    if (each.method != WorldMethod::kBlocks) add(each.method, {});
   return runs;
 }
 
 }  // namespace
+
+int count_bits(TexelFormat format) {
+  if (format == TexelFormat::k8Bit) return 8;
+  return format == TexelFormat::k16Bit ? 16 : 32;
+}
 
 base::Result<CardResults> measure_card(const LabScenes& scenes, const CardGrid& grid,
                                        const render::Settings& settings) {
@@ -265,10 +242,12 @@ std::string describe_card(const CardResults& results) {
     if (previous == nullptr || format_size(previous->size) != format_size(f.size))
       text += fmt::format(
           "\n{}, {} frames\n"
-          "                  ms:                       per frame:                             most  memory   "
-          "equal\n"
-          "  cache, method   median     p99   worst    hits uploads evicted portions     KB     KB      MB  "
-          "pixels\n",
+          "                  ms:                             per frame:                             most  "
+          "memory  "
+          " equal\n"
+          "  cache, method   median     p99   worst  card    hits uploads evicted portions     KB     KB     "
+          " MB "
+          " pixels\n",
           format_size(f.size), f.frames);
     previous = &f;
     if (!f.problem.empty()) {
@@ -276,11 +255,13 @@ std::string describe_card(const CardResults& results) {
       continue;
     }
     text += fmt::format(
-        "  {:<15}{:>7.2f} {:>7.2f} {:>7.2f} {:>7.1f} {:>7.1f} {:>7.1f} {:>8.2f} {:>6.0f} {:>6.0f} {:>7.1f} "
+        "  {:<15}{:>7.2f} {:>7.2f} {:>7.2f} {:>5} {:>7.1f} {:>7.1f} {:>7.1f} {:>8.2f} {:>6.0f} {:>6.0f} "
+        "{:>7.1f} "
         "{:>6.2f}%\n",
-        describe_run(f), f.frame_ms.p50, f.frame_ms.p99, f.frame_ms.max, f.hits, f.uploads, f.evicted,
-        f.portions, f.bytes_uploaded / 1000, f.max_bytes_uploaded / 1000,
-        static_cast<double>(f.cache_bytes) / (1 << 20), 100 * f.equal_share);
+        describe_run(f), f.frame_ms.p50, f.frame_ms.p99, f.frame_ms.max,
+        f.card_ms ? fmt::format("{:.2f}", f.card_ms->p50) : "-", f.hits, f.uploads, f.evicted, f.portions,
+        f.bytes_uploaded / 1000, f.max_bytes_uploaded / 1000, static_cast<double>(f.cache_bytes) / (1 << 20),
+        100 * f.equal_share);
   }
   return text;
 }
@@ -289,7 +270,7 @@ nlohmann::json make_card_json(const CardResults& results) {
   nlohmann::json runs = nlohmann::json::array();
   for (const CardFigures& f : results.runs) {
     runs.push_back({{"size", format_size(f.size)},
-                    {"method", method_name(f.method)},
+                    {"method", find_card_method(f.method).name},
                     {"megabytes", f.cache.bytes >> 20},
                     {"bits", count_bits(f.cache.format)}});
     nlohmann::json& run = runs.back();
@@ -307,6 +288,7 @@ nlohmann::json make_card_json(const CardResults& results) {
                 {"bytes_uploaded", f.bytes_uploaded},
                 {"max_bytes_uploaded", f.max_bytes_uploaded},
                 {"equal_share", f.equal_share}});
+    if (f.card_ms) run["card_ms"] = make_json(*f.card_ms);
   }
   return {{"scene", results.name},
           {"driver", results.driver},

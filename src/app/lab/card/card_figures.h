@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,8 @@ struct CardFigures {
   std::size_t frames = 0;
   // Wall time of the whole frame: the CPU's stages, uploads, drawing, and reading the picture back.
   Distribution frame_ms;
+  // The card's part of it, by its own timer; nothing if it has none.
+  std::optional<Distribution> card_ms;
   double hits = 0, uploads = 0, evicted = 0, portions = 0, bytes_uploaded = 0;
   double max_bytes_uploaded = 0;
   // Pixels whose channels are within 2 of 255 of the CPU's: their share, in a sample of the frames. With 8
@@ -56,6 +59,9 @@ struct CardResults {
 base::Result<CardResults> measure_card(const LabScenes& scenes, const CardGrid& grid,
                                        const render::Settings& settings);
 
+// The size of a texel: 32, 16, or 8.
+int count_bits(render_gl::TexelFormat format);
+
 // A table for each size.
 std::string describe_card(const CardResults& results);
 
@@ -63,6 +69,7 @@ std::string describe_card(const CardResults& results);
 //
 //   size, method, megabytes, bits (32, 16, or 8), cache_bytes, frames
 //   frame_ms {p50, p99, max}
+//   card_ms {p50, p99, max}                              only of cards with a timer
 //   hits, uploads, evicted, portions, bytes_uploaded     means per frame
 //   max_bytes_uploaded                                   in one frame
 //   equal_share
