@@ -88,7 +88,7 @@ class CardRun {
       if (!stats.ok()) drawn = stats.error();
     }));
     TRY_STATUS(drawn);
-    // Of one of the last frames, so that nothing waits for it.
+    // This is the time of an earlier frame, since nothing waits for the timer.
     if (const std::optional<double> card_s = gl_.card_seconds()) card_ms_.push_back(*card_s * 1000);
     count(gl_.cache_counts());
     // A sample that grows with the logarithm of the frames.
