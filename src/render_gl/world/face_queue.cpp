@@ -91,6 +91,7 @@ void FaceQueue::collect(const FrameInput& input, const LitMethod* method, const 
   faces_.clear();
   indices_.clear();
   choices_.clear();
+  added_.clear();
   for (std::size_t i = 1; i < edges.first_deferred(); ++i) choices_.push_back(choose(input, method, i));
   std::ranges::stable_sort(choices_, {},
                            [](const Choice& choice) { return std::pair(choice.program, choice.look); });
@@ -102,11 +103,13 @@ void FaceQueue::collect(const FrameInput& input, const LitMethod* method, const 
     add(input, choose(input, method, face), &face.opacity);
 }
 
-// Fragments of one face are adjacent, and draw it once.
+// Fragments of one face are adjacent, and the first one of them that comes draws it. Deferred faces come only
+// if pixels show them, and from back to front.
 void FaceQueue::add(const FrameInput& input, const Choice& choice, const render::FaceOpacity* opacity) {
-  const std::size_t number = choice.surface;
   const std::span<const render::ScreenSurface> surfaces = input.record.edges.surfaces;
-  const render::ScreenSurface& surface = surfaces[number];
+  const render::ScreenSurface& surface = surfaces[choice.surface];
+  std::size_t number = choice.surface;
+  while (number > 1 && is_same_face(surfaces[number - 1], surface)) --number;
   QueuedFace face{.program = choice.program,
                   .look = choice.look,
                   .has_bright = choice.has_bright,
@@ -118,7 +121,7 @@ void FaceQueue::add(const FrameInput& input, const Choice& choice, const render:
                   .first_index = static_cast<std::uint32_t>(indices_.size()),
                   .index_count = 0,
                   .opacity = opacity};
-  if (number <= 1 || !is_same_face(surfaces[number - 1], surface))
+  if (added_.insert(face.surface).second)
     for (std::size_t i = number; i < surfaces.size() && is_same_face(surfaces[i], surface); ++i)
       ++face.fragments;
   // Translucent faces keep the numbers that layers have for them.

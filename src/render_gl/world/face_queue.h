@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <unordered_set>
 #include <vector>
 
 #include "render_gl/lit/lit_method.h"
@@ -23,7 +24,7 @@ struct QueuedFace {
   // Its fragments: EdgeTable::surfaces from `surface` on.
   std::uint32_t surface, fragments;
   std::uint32_t tiles;
-  // Its vertices in indices(). None: an earlier fragment draws the face.
+  // Its vertices in indices(). None: another fragment draws the face.
   std::uint32_t first_index, index_count;
   const render::FaceOpacity* opacity;  // null: opaque
 };
@@ -58,7 +59,8 @@ class FaceQueue {
   std::vector<QueuedFace> faces_;
   std::size_t first_translucent_ = 0;
   std::vector<std::uint32_t> indices_;
-  std::vector<Choice> choices_;  // scratch
+  std::vector<Choice> choices_;                // scratch
+  std::unordered_set<std::uint32_t> added_{};  // QueuedFace::surface of the faces that have been added
 };
 
 // The draw of a tile of the face that is seen, or nothing. The last one counts if several fragments show it.
