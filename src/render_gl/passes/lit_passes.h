@@ -20,8 +20,8 @@
 // two instances of a brush model at one place do.
 //
 // Translucent faces are drawn in one pass: the picture below them would be lit, too. Tiles with marks have
-// the CPU's blocks, as in all methods: marks replace texels before they are lit, some by a color that depends
-// on the texel below, so no blended polygon over the lit picture shows the same.
+// the CPU's blocks, as in all methods: marks are blended over texels before light, so they would be a pass
+// between the two, with an image of its own for each marked tile.
 #pragma once
 
 #include <cstdint>

@@ -50,7 +50,7 @@ vec4 read_face(ivec2 place, int number) { return uintBitsToFloat(texelFetch(styl
 // Distances on the face, in units, from a light to the cell's corners: the longer offset and half of the shorter one.
 vec4 find_distances(vec4 along_s, vec4 along_t) { return max(along_s, along_t) + 0.5 * min(along_s, along_t); }
 
-void add_light(int number, ivec2 place, ivec2 cell, inout Cell io_sum) {
+Cell add_light(int number, ivec2 place, ivec2 cell, Cell sum) {
   vec4 light = texelFetch(dynamic_lights, ivec2(0, number), 0), color = texelFetch(dynamic_lights, ivec2(1, number), 0);
   vec4 plane = read_face(place, 1), s_axis = read_face(place, 2), t_axis = read_face(place, 3);
   vec2 units = read_face(place, 4).xy;
@@ -62,10 +62,8 @@ void add_light(int number, ivec2 place, ivec2 cell, inout Cell io_sum) {
   vec4 corners = vec4(cell, cell + 1) * 16.0;
   vec4 distances = find_distances(abs(corners.xzxz - middle.x) * units.x, abs(corners.yyww - middle.y) * units.y);
   vec4 amounts = mix(vec4(0), (at_nearest - distances) / 255.0, lessThan(distances, vec4(reach)));
-  io_sum.a += amounts.x * color.rgb;
-  io_sum.b += amounts.y * color.rgb;
-  io_sum.c += amounts.z * color.rgb;
-  io_sum.d += amounts.w * color.rgb;
+  return Cell(sum.a + amounts.x * color.rgb, sum.b + amounts.y * color.rgb, sum.c + amounts.z * color.rgb,
+              sum.d + amounts.w * color.rgb);
 }
 
 vec3 find_light(LitTile tile, vec2 texel) {
@@ -77,7 +75,7 @@ vec3 find_light(LitTile tile, vec2 texel) {
   ivec2 cell = ivec2(tile_number & 0xffu, tile_number >> 8) * 16 + ivec2(at);
   // There may be no sample after the last one, whose share is 0 then.
   Cell sum = add_styles(face, cell, min(cell + 1, ivec2(face.y & 0xffffu, face.y >> 16) - 1));
-  for (int i = 0; i < light_count; ++i) add_light(i, place, cell, sum);
+  for (int i = 0; i < light_count; ++i) sum = add_light(i, place, cell, sum);
   vec2 share = fract(at);
   vec3 above = mix(min(sum.a, 1.0), min(sum.b, 1.0), share.x);
   vec3 below = mix(min(sum.c, 1.0), min(sum.d, 1.0), share.x);
