@@ -8,7 +8,7 @@
 //   lab school               lessons for beginners
 //   lab replay FILE          a lockstep game, simulated again
 //   lab wire                 how a game's state gets to its players
-//   lab card                 caches of surfaces in the memory of the graphics card
+//   lab card                 ways to draw levels with a graphics card
 #pragma once
 
 #include <optional>
