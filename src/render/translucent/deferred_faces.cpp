@@ -180,7 +180,7 @@ DeferredFaces sort_deferred_faces(const FrameContext& context, const WorldPictur
     const double depth =
         drawn->depth.at(static_cast<double>(seen.x) / pixels, static_cast<double>(seen.y) / pixels);
     (opacity.is_translucent() ? translucent : opaque)
-        .push_back({base::to_index<SurfaceIndex>(number), opacity, surface.key, depth});
+        .push_back({base::to_index<SurfaceIndex>(number), opacity, surface.key, depth, seen.pixels});
   }
   std::sort(translucent.begin(), translucent.end(), is_farther);
   return {opaque.view(), translucent.view()};

@@ -19,6 +19,7 @@ struct DeferredFace {
   FaceOpacity opacity;
   SortKey key;
   double depth;  // ViewFrame::depth at the center of the pixels that it covers
+  std::uint64_t pixels;
 };
 
 // Only faces that have spans.

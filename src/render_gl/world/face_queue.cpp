@@ -85,13 +85,30 @@ FaceQueue::Choice FaceQueue::choose(const FrameInput& input, const LitMethod* me
   return choice;
 }
 
+std::uint32_t FaceQueue::find_first_fragment(const FrameInput& input, std::size_t surface) {
+  const std::span<const render::ScreenSurface> surfaces = input.record.edges.surfaces;
+  std::size_t first = surface;
+  while (first > 1 && is_same_face(surfaces[first - 1], surfaces[surface])) --first;
+  return static_cast<std::uint32_t>(first);
+}
+
+void FaceQueue::choose_fragments(const FrameInput& input, std::span<const render::DeferredFace> faces) {
+  for (const render::DeferredFace& face : faces) {
+    const std::size_t surface = base::to_size(face.surface);
+    LargestFragment& largest = largest_[find_first_fragment(input, surface)];
+    if (face.pixels > largest.pixels) largest = {face.pixels, surface};
+  }
+}
+
 void FaceQueue::collect(const FrameInput& input, const LitMethod* method, const HasRoom& has_room) {
   has_room_ = has_room;
   const render::EdgeTable& edges = input.record.edges;
   faces_.clear();
   indices_.clear();
   choices_.clear();
-  added_.clear();
+  largest_.clear();
+  choose_fragments(input, input.order.faces.opaque);
+  choose_fragments(input, input.order.faces.translucent);
   for (std::size_t i = 1; i < edges.first_deferred(); ++i) choices_.push_back(choose(input, method, i));
   std::ranges::stable_sort(choices_, {},
                            [](const Choice& choice) { return std::pair(choice.program, choice.look); });
@@ -103,25 +120,25 @@ void FaceQueue::collect(const FrameInput& input, const LitMethod* method, const 
     add(input, choose(input, method, face), &face.opacity);
 }
 
-// Fragments of one face are adjacent, and the first one of them that comes draws it. Deferred faces come only
-// if pixels show them, and from back to front.
+// Fragments of one face are adjacent, and one of them draws it: the first one, or the largest one of a
+// deferred face. Those come only if pixels show them, and from back to front.
 void FaceQueue::add(const FrameInput& input, const Choice& choice, const render::FaceOpacity* opacity) {
   const std::span<const render::ScreenSurface> surfaces = input.record.edges.surfaces;
   const render::ScreenSurface& surface = surfaces[choice.surface];
-  std::size_t number = choice.surface;
-  while (number > 1 && is_same_face(surfaces[number - 1], surface)) --number;
+  const std::uint32_t number = find_first_fragment(input, choice.surface);
+  const std::size_t drawing = opacity == nullptr ? number : largest_.at(number).surface;
   QueuedFace face{.program = choice.program,
                   .look = choice.look,
                   .has_bright = choice.has_bright,
                   .instance = surface.instance,
                   .face = surface.face,
-                  .surface = static_cast<std::uint32_t>(number),
+                  .surface = number,
                   .fragments = 0,
                   .tiles = std::uint32_t{surface.tiles.s} * surface.tiles.t,
                   .first_index = static_cast<std::uint32_t>(indices_.size()),
                   .index_count = 0,
                   .opacity = opacity};
-  if (added_.insert(face.surface).second)
+  if (drawing == choice.surface)
     for (std::size_t i = number; i < surfaces.size() && is_same_face(surfaces[i], surface); ++i)
       ++face.fragments;
   // Translucent faces keep the numbers that layers have for them.

@@ -6,7 +6,7 @@
 #include <functional>
 #include <optional>
 #include <span>
-#include <unordered_set>
+#include <unordered_map>
 #include <vector>
 
 #include "render_gl/lit/lit_method.h"
@@ -53,14 +53,20 @@ class FaceQueue {
                                           std::size_t surface);
   Choice choose(const FrameInput& input, const LitMethod* method, std::size_t surface) const;
   Choice choose(const FrameInput& input, const LitMethod* method, const render::DeferredFace& face) const;
+  struct LargestFragment {
+    std::uint64_t pixels = 0;
+    std::size_t surface = 0;
+  };
+  static std::uint32_t find_first_fragment(const FrameInput& input, std::size_t surface);
+  void choose_fragments(const FrameInput& input, std::span<const render::DeferredFace> faces);
   void add(const FrameInput& input, const Choice& choice, const render::FaceOpacity* opacity);
 
   HasRoom has_room_;
   std::vector<QueuedFace> faces_;
   std::size_t first_translucent_ = 0;
   std::vector<std::uint32_t> indices_;
-  std::vector<Choice> choices_;                // scratch
-  std::unordered_set<std::uint32_t> added_{};  // QueuedFace::surface of the faces that have been added
+  std::vector<Choice> choices_;                                 // scratch
+  std::unordered_map<std::uint32_t, LargestFragment> largest_;  // of deferred faces, by first fragment
 };
 
 // The draw of a tile of the face that is seen, or nothing. The last one counts if several fragments show it.

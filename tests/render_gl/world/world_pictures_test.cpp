@@ -109,7 +109,7 @@ TEST(GlWorld, ShowsTranslucentLiquidsAndBrushModels) {
 }
 
 // The CPU draws each part of a face that lies in one leaf at its own place in the order, and the card draws a
-// face at one place. So colors differ where it lies between other translucent faces.
+// face at the place of the largest part. So colors differ where it lies between other translucent faces.
 TEST(GlWorld, ShowsTranslucentLiquidsAndBrushModelsOfStockLevels) {
   DATA_FOLDER_OR_SKIP(data);
   std::vector<const char*> names = {"start"};
