@@ -118,9 +118,17 @@ vec4 sky_texel(uvec4 image, ivec2 size, int layer) {
   clouds.a = clouds.r;
   if (clouds.a > 0.0) return clouds;
 #endif
+#if FILTER == 0
   if (clouds.a > 0.5) return clouds;
+#endif
   ivec2 back = ivec2(image.w & 0xffu, image.w >> 8 & 0xffu) * 8;
-  return repeated_texel(at + sky_scroll.y * scale, back, size, int(image.w >> 16));
+  vec4 background = repeated_texel(at + sky_scroll.y * scale, back, size, int(image.w >> 16));
+#if FILTER == 0
+  return background;
+#else
+  // A return before this would leave neighbors without derivatives. The edges of clouds blend, too.
+  return vec4(mix(background.rgb, clouds.rgb, clouds.a), 1.0);
+#endif
 }
 
 // The ray's largest component selects the side. Four texels are interpolated, in 256ths as on the CPU.
