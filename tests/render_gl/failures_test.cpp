@@ -5,6 +5,7 @@
 #include "render_gl/injected_gl.h"
 #include "render_gl/model_scenes.h"
 #include "render_gl/scene_views.h"
+#include "support/effort.h"
 
 namespace temblor::render_gl {
 namespace {
@@ -174,7 +175,7 @@ TEST_P(FailingCard, SurvivesFailuresOfEachMethod) {
     ASSERT_EQ(run(), "");
     const InjectedGl::Calls all = card_->calls;
     const auto fail_each = [&](int begin, int end, int& io_fault, const char* line) {
-      for (int number = begin; number < end; ++number) {
+      for (int number = begin; number < end; number += test::effort(1, 4)) {
         io_fault = number;
         EXPECT_TRUE(contains(run(), line)) << number;
       }
