@@ -5,7 +5,7 @@ namespace temblor::render_gl {
 DrawOptions choose_options(WorldMethod method, const render::FrameContext& context) {
   if (context.is_indexed()) return {};
   const render::Settings& settings = context.settings;
-  // Light that is not kept needs no turns.
+  // Only methods that keep light on the card can update it in turns.
   const bool keeps_light = method != WorldMethod::kGouraud && method != WorldMethod::kStyleLayers;
   if (settings.relight_alternate && !keeps_light) method = WorldMethod::kLitTextures;
   if (settings.filter == render::TextureFilter::kNearest) return {.method = method};

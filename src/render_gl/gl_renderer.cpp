@@ -65,6 +65,9 @@ struct GlRenderer::State {
   State(const Functions& functions, render::ColorTables colors, const CacheOptions& options)
       : gl(functions), timer(gl), caches(std::move(colors)), cache(options) {}
 
+  // A query that runs longer than its context's renderer would hinder the next one.
+  ~State() { timer.end(gl); }
+
   const Functions gl;
   CardTimer timer;
   render::FrameCaches caches;
@@ -202,7 +205,7 @@ base::Status GlRenderer::State::begin(const render::FrameBuffer& frame) {
 base::Status GlRenderer::State::draw(const FrameInput& input, std::uint32_t background) {
   using Kind = render::TranslucentLayer::Kind;
   Passes& p = *passes;
-  timer.begin(gl);
+  timer.begin(gl, {p.target.width(), p.target.height()});
   TRY_STATUS(p.world.prepare(gl, input));
   TRY_STATUS(p.sprites.prepare(gl, input));
   p.target.begin(gl, background);
@@ -231,7 +234,7 @@ base::Status GlRenderer::clear(const render::FrameBuffer& frame) {
   TRY_STATUS(state_->begin(frame));
   const render::ColorTables& colors = state_->caches.colors;
   const bool is_indexed = frame.format() == render::PixelFormat::kIndexed;
-  state_->timer.begin(state_->gl);
+  state_->timer.begin(state_->gl, {frame.width(), frame.height()});
   state_->passes->target.begin(state_->gl, is_indexed ? 0u : colors.rgb[0]);
   return base::Ok{};
 }
@@ -255,13 +258,17 @@ base::Status GlRenderer::read(render::FrameBuffer& io_frame) const {
 }
 
 base::Status GlRenderer::show(const Shown& shown) {
-  const base::Status drawn = state_->passes->present.draw(state_->gl, state_->passes->target, shown);
+  // Drivers may wait for the display before they draw into the window.
   state_->timer.end(state_->gl);
-  return drawn;
+  return state_->passes->present.draw(state_->gl, state_->passes->target, shown);
 }
 
 void GlRenderer::make_blend_tables() const {
   state_->caches.colors.blends.make_all();
+}
+
+bool GlRenderer::has_card_timer() const {
+  return state_->gl.has_timer;
 }
 
 std::optional<double> GlRenderer::card_seconds() const {

@@ -11,11 +11,16 @@ CardTimer::CardTimer(const Functions& gl) {
   }
 }
 
-void CardTimer::begin(const Functions& gl) {
-  if (is_running_ || !measurements_[next_].query) return;
+void CardTimer::begin(const Functions& gl, const FrameSize& size) {
+  end(gl);
+  if (size != size_) seconds_.reset();
+  size_ = size;
+  Measurement& next = measurements_[next_];
+  if (!next.query) return;
   take_results(gl);
-  if (measurements_[next_].is_pending) return;  // this frame is not measured
-  gl.BeginQuery(GL_TIME_ELAPSED_EXT, measurements_[next_].query.name());
+  if (next.is_pending) return;  // this frame is not measured
+  next.size = size;
+  gl.BeginQuery(GL_TIME_ELAPSED_EXT, next.query.name());
   is_running_ = true;
 }
 
@@ -29,6 +34,8 @@ void CardTimer::end(const Functions& gl) {
 
 // From the oldest one on, until one has no result yet.
 void CardTimer::take_results(const Functions& gl) {
+  GLint is_disjoint = GL_FALSE;  // the card's clock has changed meanwhile
+  if (gl.has_disjoint_timer) gl.GetIntegerv(GL_GPU_DISJOINT_EXT, &is_disjoint);
   constexpr double kSecondsPerNanosecond = 1e-9;
   for (std::size_t i = 0; i < measurements_.size(); ++i) {
     Measurement& each = measurements_[(next_ + i) % measurements_.size()];
@@ -38,7 +45,7 @@ void CardTimer::take_results(const Functions& gl) {
     if (is_available == GL_FALSE) return;
     gl.GetQueryObjectuiv(each.query.name(), GL_QUERY_RESULT, &nanoseconds);
     each.is_pending = false;
-    seconds_ = nanoseconds * kSecondsPerNanosecond;
+    if (each.size == size_ && is_disjoint == GL_FALSE) seconds_ = nanoseconds * kSecondsPerNanosecond;
   }
 }
 

@@ -3,6 +3,8 @@
 #include <array>
 #include <string_view>
 
+#include "base/software_driver.h"
+
 namespace temblor::render_gl {
 
 namespace {
@@ -38,6 +40,15 @@ base::Status check_version(const Functions& gl) {
   return base::error(ErrorCode::kUnsupported,
                      "the OpenGL driver is too old ({}); OpenGL 3.3 or OpenGL ES 3.0 is needed",
                      describe_driver(gl));
+}
+
+// Drivers may give addresses for functions that they lack.
+base::Status check_desktop_extensions(const Functions& gl) {
+  for (const char* const name : {"GL_ARB_texture_storage", "GL_ARB_ES2_compatibility"})
+    if (!has_extension(gl, name))
+      return base::error(ErrorCode::kUnsupported, "the OpenGL driver is too old ({}): it lacks {}",
+                         describe_driver(gl), name);
+  return base::Ok{};
 }
 
 template <typename Function>
@@ -111,8 +122,10 @@ base::Result<Functions> load_functions(const FunctionFinder& find) {
     find_function(find, "glClipControl", gl.ClipControl);
   gl.has_anisotropy = has_extension(gl, "GL_EXT_texture_filter_anisotropic") ||
                       has_extension(gl, "GL_ARB_texture_filter_anisotropic");
-  gl.has_timer = !read_string(gl, GL_VERSION).starts_with("OpenGL ES") ||
-                 has_extension(gl, "GL_EXT_disjoint_timer_query");
+  const bool is_es = read_string(gl, GL_VERSION).starts_with("OpenGL ES");
+  if (!is_es) TRY_STATUS(check_desktop_extensions(gl));
+  gl.has_disjoint_timer = is_es && has_extension(gl, "GL_EXT_disjoint_timer_query");
+  gl.has_timer = (!is_es || gl.has_disjoint_timer) && !base::is_software_driver(read_string(gl, GL_RENDERER));
   if (has_extension(gl, "GL_KHR_robustness") &&
       !find_function(find, "glGetGraphicsResetStatus", gl.GetGraphicsResetStatus))
     find_function(find, "glGetGraphicsResetStatusKHR", gl.GetGraphicsResetStatus);

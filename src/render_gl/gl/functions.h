@@ -1,5 +1,5 @@
 // The functions of OpenGL that the renderer calls, as a table of pointers that belongs to one context. All
-// are in OpenGL ES 3.0 (and so in WebGL 2) and in OpenGL 3.3.
+// are in OpenGL ES 3.0 (and so in WebGL 2), and in OpenGL 3.3 with two extensions that are part of 4.2.
 //
 // Errors: OpenGL keeps the first error until it is asked. check() asks, once per frame and after everything
 // that may run out of memory. In debug builds, it also asks for the driver's messages (KHR_debug), so that no
@@ -110,8 +110,9 @@ struct Functions {
   PFNGLCLIPCONTROLEXTPROC ClipControl = nullptr;
   // Whether textures have the parameter of EXT_texture_filter_anisotropic.
   bool has_anisotropy = false;
-  // Whether queries have GL_TIME_ELAPSED_EXT.
+  // Whether queries have GL_TIME_ELAPSED_EXT. Drivers in software have it, too, but only measure parts.
   bool has_timer = false;
+  bool has_disjoint_timer = false;  // GL_GPU_DISJOINT_EXT tells whether times are wrong
   // Tells whether a context that asked for it is lost (KHR_robustness); null if the driver cannot tell.
   PFNGLGETGRAPHICSRESETSTATUSKHRPROC GetGraphicsResetStatus = nullptr;
   // The messages of a debug context (KHR_debug); null in release builds and in other contexts.

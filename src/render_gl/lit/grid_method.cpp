@@ -24,11 +24,9 @@ std::optional<TileRecord> GridMethod::place(const Functions& gl, const FrameInpu
 }
 
 void GridMethod::use(const Functions& gl, const FaceProgram& program, const LitLook& look) const {
-  constexpr GLenum kLightUnit = 4;
   LitMethod::use(gl, program, look);
-  gl.ActiveTexture(GL_TEXTURE0 + kLightUnit);
+  gl.ActiveTexture(GL_TEXTURE0 + face_units::kLightGrids);
   gl.BindTexture(GL_TEXTURE_2D_ARRAY, light_.texture());
-  gl.Uniform1i(program.light_grids, kLightUnit);
 }
 
 }  // namespace temblor::render_gl

@@ -33,11 +33,9 @@ base::Status LitMethod::take(const Functions& gl, const render::FrameContext& co
   return base::Ok{};
 }
 
-void LitMethod::use(const Functions& gl, const FaceProgram& program, const LitLook& look) const {
-  constexpr GLenum kTexturesUnit = 3;
-  gl.ActiveTexture(GL_TEXTURE0 + kTexturesUnit);
+void LitMethod::use(const Functions& gl, const FaceProgram&, const LitLook& look) const {
+  gl.ActiveTexture(GL_TEXTURE0 + face_units::kTextures);
   gl.BindTexture(GL_TEXTURE_2D_ARRAY, tiles_.array_texture(look.array));
-  gl.Uniform1i(program.textures, kTexturesUnit);
 }
 
 base::Result<std::unique_ptr<LitMethod>> make_lit_method(const Functions& gl, WorldMethod method,

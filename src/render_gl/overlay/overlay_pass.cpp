@@ -77,7 +77,7 @@ base::Result<bool> OverlayPass::draw(const Functions& gl, const render::DrawList
                                      const render::ColorTables& tables, IndexTables& io_index_tables,
                                      Target& io_target) {
   render::check_commands(list);
-  const auto can_draw_it = [this](const render::DrawCommand& command) { return can_draw(command); };
+  const auto can_draw_it = [&](const render::DrawCommand& command) { return can_draw(command, io_target); };
   if (!std::ranges::all_of(list.commands, can_draw_it)) return false;
   textures_.begin_frame();
   for (std::span<const render::DrawCommand> rest(list.commands); !rest.empty();) {
@@ -95,9 +95,21 @@ base::Result<bool> OverlayPass::draw(const Functions& gl, const render::DrawList
   return true;
 }
 
-bool OverlayPass::can_draw(const render::DrawCommand& command) const {
+namespace {
+
+render::OverlayClip clip_to_target(const render::DrawCommand& command, const Target& target) {
+  return render::clip_command(command, {0, target.width(), 0, target.height()});
+}
+
+bool shows_nothing(const render::DrawCommand& command, const Target& target) {
+  return clip_to_target(command, target).is_empty() || !(command.opacity > 0);
+}
+
+}  // namespace
+
+bool OverlayPass::can_draw(const render::DrawCommand& command, const Target& target) const {
   using render::DrawMode;
-  if (format_ == render::PixelFormat::kRgb) return true;
+  if (format_ == render::PixelFormat::kRgb || shows_nothing(command, target)) return true;
   if (command.mode == DrawMode::kMultiply || command.mode == DrawMode::kMultiplyTwice) return false;
   return !render::shows_detail(command);
 }
@@ -110,8 +122,7 @@ base::Result<std::size_t> OverlayPass::collect(const Functions& gl,
   colors_.begin(tables, format_);
   for (std::size_t i = 0; i < commands.size(); ++i) {
     const render::DrawCommand& command = commands[i];
-    const render::OverlayClip clip = render::clip_command(command, {0, target.width(), 0, target.height()});
-    if (clip.is_empty() || !(command.opacity > 0)) continue;
+    if (shows_nothing(command, target)) continue;
     const std::int32_t row = colors_.find_row(command);
     if (row < 0) return i;
     Batch batch{quads_.size(), 1, Kind::kFill, 0, is_combined(command, format_) ? &command : nullptr};
@@ -123,7 +134,7 @@ base::Result<std::size_t> OverlayPass::collect(const Functions& gl,
       batch.kind = has_detail ? Kind::kDetail : Kind::kPicture;
       batch.texture = texture.name;
     }
-    quads_.push_back(make_quad(command, clip, texture));
+    quads_.push_back(make_quad(command, clip_to_target(command, target), texture));
     quads_.back().color_row = row;
     add_batch(batch);
   }

@@ -44,7 +44,7 @@ class OverlayPass {
   };
 
   OverlayPass(const Functions& gl, render::PixelFormat format);
-  bool can_draw(const render::DrawCommand& command) const;
+  bool can_draw(const render::DrawCommand& command, const Target& target) const;
   // Takes commands until there is no room for their colors. Returns how many.
   base::Result<std::size_t> collect(const Functions& gl, std::span<const render::DrawCommand> commands,
                                     const render::ColorTables& tables, const Target& target);

@@ -1,5 +1,7 @@
 #include "render_gl/overlay/overlay_textures.h"
 
+#include <utility>
+
 #include "render_gl/gl/texture_limits.h"
 
 namespace temblor::render_gl {
@@ -44,8 +46,10 @@ base::Status OverlayTextures::upload(const Functions& gl, const Texel* texels, i
 
 base::Result<OverlayTexture> OverlayTextures::find(const Functions& gl, const formats::Picture& picture) {
   Entry& entry = entries_[picture.pixels.data()];
-  entry.frame = frame_;
-  if (entry.width == picture.width && entry.height == picture.height && entry.pixels == picture.pixels)
+  const bool is_same_size = entry.width == picture.width && entry.height == picture.height;
+  // Pictures do not change while a list is drawn.
+  const bool is_compared = std::exchange(entry.frame, frame_) == frame_;
+  if (is_same_size && !entry.pixels.empty() && (is_compared || entry.pixels == picture.pixels))
     return entry.found;
   entry.pixels.clear();  // stays so if the upload fails
   TRY_STATUS(upload(gl, picture.pixels.data(), static_cast<int>(picture.width),

@@ -4,10 +4,9 @@
 // of it light is linear:
 //
 //        . - + - .
-//      .  \  |  /  .      Interpolation between corners, which cards have, is exact here; the CPU samples
-//      this
-//     +----- o -----+     light every 16 texels, and interpolates between samples.
-//      .  /  |  \  .
+//      .  \  |  /  .      Interpolation between corners, which cards have, is exact here.
+//     +----- o -----+     The CPU samples light every 16 texels, and interpolates
+//      .  /  |  \  .      between samples.
 //        ' - + - '
 #pragma once
 

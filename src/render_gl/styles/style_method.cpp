@@ -76,16 +76,15 @@ std::optional<TileRecord> StyleMethod::place(const Functions&, const FrameInput&
 }
 
 void StyleMethod::use(const Functions& gl, const FaceProgram& program, const LitLook& look) const {
-  constexpr GLenum kSamplesUnit = 4, kFacesUnit = 5, kLightsUnit = 6;
   LitMethod::use(gl, program, look);
-  const auto bind = [&](GLenum unit, GLint variable, GLuint texture) {
-    gl.ActiveTexture(GL_TEXTURE0 + unit);
+  const auto bind = [&](GLint unit, GLuint texture) {
+    gl.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
     gl.BindTexture(GL_TEXTURE_2D, texture);
-    gl.Uniform1i(variable, static_cast<GLint>(unit));
   };
-  bind(kSamplesUnit, program.styles.samples, samples_.sample_texture());
-  bind(kFacesUnit, program.styles.faces, samples_.face_texture());
-  bind(kLightsUnit, program.styles.lights, lights_.name());
+  bind(face_units::kSamples, samples_.sample_texture());
+  bind(face_units::kFaces, samples_.face_texture());
+  bind(face_units::kLights, lights_.name());
+  static_assert(world::kLightStyles == 64, "style_values in style_shaders.h has as many");
   gl.Uniform4fv(program.styles.values, static_cast<GLsizei>(style_values_.size() / 4), style_values_.data());
   gl.Uniform1i(program.styles.is_colored, is_colored_);
   gl.Uniform1i(program.styles.light_count, look.has_lights ? light_count_ : 0);

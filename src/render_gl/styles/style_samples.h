@@ -3,9 +3,12 @@
 //
 //   samples   a texture, row by row: the samples in the order of Level::light, blue, green, red, and gray
 //   faces     a texture, kFacesPerRow faces in a row, five texels for each (style_shaders.h):
-//               number of the first sample | samples per row, rows | the four styles, a byte each | their
-//               count normal, distance          the plane in model space s axis, offset            texels
-//               from the face's first one t axis, offset units per texel along s and t, on the plane | 0 | 0
+//
+//     number of the first sample | samples per row, rows | the four styles, a byte each | their count
+//     normal, distance        the plane in model space
+//     s axis, offset          texels from the face's first one
+//     t axis, offset
+//     units per texel along s and t, on the plane | 0 | 0
 #pragma once
 
 #include <cstddef>

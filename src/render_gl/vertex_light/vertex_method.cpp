@@ -113,11 +113,9 @@ void VertexMethod::end_portion(const Functions& gl, const FrameInput&, const Blo
 }
 
 void VertexMethod::use(const Functions& gl, const FaceProgram& program, const LitLook& look) const {
-  constexpr GLenum kVertexLightUnit = 4;
   LitMethod::use(gl, program, look);
-  gl.ActiveTexture(GL_TEXTURE0 + kVertexLightUnit);
+  gl.ActiveTexture(GL_TEXTURE0 + face_units::kVertexLights);
   gl.BindTexture(GL_TEXTURE_2D, table_.texture());
-  gl.Uniform1i(program.vertex_lights, kVertexLightUnit);
 }
 
 void VertexMethod::use_instance(const Functions& gl, const FaceProgram& program,

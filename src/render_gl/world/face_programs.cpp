@@ -70,6 +70,16 @@ FaceProgram::FaceProgram(const Functions& gl, Program linked)
   sky_scroll = find("sky_scroll");
   fog_density = find("fog_density");
   fog_color = find("fog_color");
+  gl.UseProgram(program.name());
+  gl.Uniform1i(records, face_units::kRecords);
+  gl.Uniform1i(atlas, face_units::kAtlas);
+  gl.Uniform1i(skybox, face_units::kSkybox);
+  gl.Uniform1i(textures, face_units::kTextures);
+  gl.Uniform1i(light_grids, face_units::kLightGrids);
+  gl.Uniform1i(vertex_lights, face_units::kVertexLights);
+  gl.Uniform1i(styles.samples, face_units::kSamples);
+  gl.Uniform1i(styles.faces, face_units::kFaces);
+  gl.Uniform1i(styles.lights, face_units::kLights);
 }
 
 // Several passes are for opaque faces only, and kOneLit is, too.

@@ -42,6 +42,13 @@ constexpr FaceProgramKind without_one_tile(FaceProgramKind kind) {
   return kind == FaceProgramKind::kOneLit ? FaceProgramKind::kLit : kind;
 }
 
+// The units of the card that the programs' textures are bound to. Samplers of different types must never
+// share one, whether they are used or not. IndexTables has those from 8 on.
+namespace face_units {
+constexpr GLint kRecords = 0, kAtlas = 1, kSkybox = 2, kTextures = 3, kLightGrids = 4, kVertexLights = 5,
+                kSamples = 6, kFaces = 7, kLights = 12;
+}  // namespace face_units
+
 // Locations of the variables of kStyleLightPart; -1 for those that a program lacks.
 struct StyleUniforms {
   StyleUniforms(const Functions& gl, const Program& program);

@@ -44,10 +44,7 @@ void set_fog(const Functions& gl, const render::Fog& fog, const FaceProgram& pro
 void use_face_program(const Functions& gl, const FrameInput& input, const FaceProgram& program,
                       bool has_color_key) {
   gl.UseProgram(program.program.name());
-  gl.Uniform1i(program.records, kRecordsUnit);
-  gl.Uniform1i(program.atlas, kAtlasUnit);
   gl.Uniform1i(program.has_color_key, has_color_key);
-  gl.Uniform1i(program.skybox, kSkyboxUnit);
   set_view(gl, input.record.view, program);
   set_time(gl, input.scene().time_s, program);
   set_fog(gl, input.scene().fog, program);

@@ -6,9 +6,6 @@
 
 namespace temblor::render_gl {
 
-// The units of the card that the programs' textures are bound to.
-constexpr GLenum kRecordsUnit = 0, kAtlasUnit = 1, kSkyboxUnit = 2;
-
 // Doors may lie in the plane of a wall, which they cover on the CPU. This share of their distance, 0.03 units
 // at 1000, is more than what rounding does to either.
 constexpr float kBrushModelNearer = 1.0f / 32768;

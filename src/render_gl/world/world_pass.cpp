@@ -164,11 +164,11 @@ const FaceProgram& WorldPass::begin_draw(const Functions& gl, const FrameInput& 
   const FaceProgram& shader =
       programs_.get(kind, has_fog, is_translucent, is_lit(kind) ? pass : LitPassKind::kWhole);
   use_face_program(gl, input, shader, atlas_.format() == TexelFormat::k16Bit);
-  gl.ActiveTexture(GL_TEXTURE0 + kRecordsUnit);
+  gl.ActiveTexture(GL_TEXTURE0 + face_units::kRecords);
   gl.BindTexture(GL_TEXTURE_2D, table_.texture());
-  gl.ActiveTexture(GL_TEXTURE0 + kAtlasUnit);
+  gl.ActiveTexture(GL_TEXTURE0 + face_units::kAtlas);
   gl.BindTexture(GL_TEXTURE_2D_ARRAY, atlas_.texture());
-  gl.ActiveTexture(GL_TEXTURE0 + kSkyboxUnit);
+  gl.ActiveTexture(GL_TEXTURE0 + face_units::kSkybox);
   gl.BindTexture(GL_TEXTURE_2D_ARRAY, skybox_.texture());
   if (is_lit(kind)) method_->use(gl, shader, face.look);
   gl.BindVertexArray(mesh_.vertex_array());
