@@ -3,11 +3,11 @@
 #include <SDL_opengl.h>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <optional>
-#include <string_view>
 #include <utility>
+
+#include "base/software_driver.h"
 
 namespace temblor::platform::sdl2 {
 namespace {
@@ -83,11 +83,7 @@ bool has_software_driver() {
   using GetString = const GLubyte*(APIENTRY*)(GLenum);
   const auto get_string = reinterpret_cast<GetString>(SDL_GL_GetProcAddress("glGetString"));
   const GLubyte* const name = get_string == nullptr ? nullptr : get_string(GL_RENDERER);
-  if (name == nullptr) return false;
-  const std::string_view driver = reinterpret_cast<const char*>(name);
-  constexpr std::array<std::string_view, 4> kSoftware = {"llvmpipe", "softpipe", "swrast", "SwiftShader"};
-  return std::ranges::any_of(kSoftware,
-                             [&](std::string_view each) { return driver.find(each) != driver.npos; });
+  return name != nullptr && base::is_software_driver(reinterpret_cast<const char*>(name));
 }
 
 std::string describe_gl(const GlWindow& gl_window) {

@@ -20,7 +20,7 @@ struct GlWindow {
 // picture on. Fails with kUnsupported if there is no OpenGL 3.3 and no OpenGL ES 3.0.
 base::Result<std::unique_ptr<WindowGlContext>> make_gl_context(const GlWindow& gl_window);
 
-// Whether the driver of the current context draws on the CPU. Its name must tell.
+// Whether the driver of the current context draws on the CPU.
 bool has_software_driver();
 
 // How pictures reach the window, and whether with vsync, for a person.

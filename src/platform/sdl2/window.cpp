@@ -50,7 +50,16 @@ WindowHandle create_window(const std::string& title, const WindowSettings& setti
                                          SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI | more_flags));
   };
   WindowHandle window;
-  if (presenter != Presenter::kSharedMemory) window = create(SDL_WINDOW_OPENGL);
+  if (presenter != Presenter::kSharedMemory) {
+    window = create(SDL_WINDOW_OPENGL);
+    if (!window) {  // the display may have OpenGL ES only
+      SDL_GL_SetAttribute(SDL_GL_CONTEXT_PROFILE_MASK, SDL_GL_CONTEXT_PROFILE_ES);
+      SDL_GL_SetAttribute(SDL_GL_CONTEXT_MAJOR_VERSION, 3);
+      SDL_GL_SetAttribute(SDL_GL_CONTEXT_MINOR_VERSION, 0);
+      window = create(SDL_WINDOW_OPENGL);
+      SDL_GL_ResetAttributes();
+    }
+  }
   if (!window) window = create(0);
   return window;
 }
