@@ -105,8 +105,8 @@ void draw_frame(Host& io_host, const DrawSettings& settings, render::FrameBuffer
     stats = paint_view(io_host, settings.render, io_frame);
     // Before the overlay is drawn, so that the picture shows neither the menu nor the status bar.
     if (!io_host.saves.picture_request.empty()) {
-      read_view(io_host, io_frame);
-      write_save_picture(io_host, io_frame);
+      // If the card has failed, the CPU draws the next frame.
+      if (read_view(io_host, io_frame)) write_save_picture(io_host, io_frame);
     }
     overlay = io_host.game.data->presentation.draw_list(
         *find_shown_state(io_host), io_frame.width(), io_frame.height(), io_host.video.presentation_settings);
@@ -159,7 +159,8 @@ void draw_and_show(Host& io_host) {
   if (is_parallel) io_host.worker.begin(step);
   draw_frame(io_host, settings, frame);
   times.drawing_s = window.now_s() - start_s;
-  io_host.video.screen.update_scale(screen_settings, find_drawing_time_s(io_host, times.drawing_s));
+  if (const std::optional<double> drawing_s = find_drawing_time_s(io_host, times.drawing_s))
+    io_host.video.screen.update_scale(screen_settings, *drawing_s);
   const base::Status shown = show_frame(io_host, screen_settings);
   const double shown_s = window.now_s();
   times.present_s = shown_s - start_s - times.drawing_s;

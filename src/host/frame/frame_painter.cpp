@@ -62,10 +62,13 @@ void update_renderer(Host& io_host) {
   if (!data.gl_view && !data.gl_failure) {
     data.gl_window_use = use;
     auto made = GlView::make(io_host.services.window, use, io_host.services.open_gl, data.look);
-    if (made.ok())
-      data.gl_view = std::move(made).value();
-    else
+    if (!made.ok()) {
       data.gl_failure = made.error();
+    } else {
+      data.gl_view = std::move(made).value();
+      if (const auto& failure = data.gl_view->window_failure())
+        print_line(io_host, fmt::format("OpenGL's picture is copied to the window: {}", failure->message()));
+    }
   }
   if (!data.gl_failure) return;
   print_line(io_host, fmt::format("{}; the CPU draws", data.gl_failure->message()));
@@ -96,10 +99,12 @@ void paint_nothing(Host& io_host, render::FrameBuffer& io_frame) {
   data.renderer.draw_overlay({{black}}, io_frame, stats);
 }
 
-void read_view(Host& io_host, render::FrameBuffer& io_frame) {
+bool read_view(Host& io_host, render::FrameBuffer& io_frame) {
   GameData& data = *io_host.game.data;
   GlView* const view = find_window_view(data);
-  if (view != nullptr && !data.gl_failure) keep_failure(data, view->read(io_frame));
+  if (view == nullptr) return true;
+  if (!data.gl_failure) keep_failure(data, view->read(io_frame));
+  return !data.gl_failure;
 }
 
 void paint_overlay(Host& io_host, const render::DrawList& overlay, render::FrameBuffer& io_frame,
@@ -110,9 +115,11 @@ void paint_overlay(Host& io_host, const render::DrawList& overlay, render::Frame
   if (!data.gl_failure) keep_failure(data, view->draw_overlay(overlay, io_frame));
 }
 
-double find_drawing_time_s(const Host& host, double cpu_s) {
+std::optional<double> find_drawing_time_s(const Host& host, double cpu_s) {
   const GlView* const view = find_window_view(*host.game.data);
-  return std::max(cpu_s, view != nullptr ? view->card_seconds().value_or(0) : 0);
+  if (view == nullptr || !view->has_card_timer()) return cpu_s;
+  const std::optional<double> card_s = view->card_seconds();
+  return card_s ? std::optional(std::max(cpu_s, *card_s)) : std::nullopt;
 }
 
 base::Status show_frame(Host& io_host, const ScreenSettings& settings) {
@@ -122,6 +129,7 @@ base::Status show_frame(Host& io_host, const ScreenSettings& settings) {
   const formats::Palette& palette = data.look.palette;
   GlView* const view = find_window_view(data);
   if (view == nullptr) return screen.show(palette, settings.tone, window);
+  screen.forget_pixels();  // those of an older frame
   if (data.gl_failure) return base::Ok{};
   const ToneTable tone = make_tone_table(settings.tone);
   const platform::PixelSize size = window.size();

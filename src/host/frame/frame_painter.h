@@ -7,6 +7,7 @@
 //   show     Screen, Window::present  Screen, Window::present   card -> window
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "render/draw_list.h"
@@ -32,12 +33,13 @@ void update_renderer(Host& io_host);
 render::FrameStats paint_view(Host& io_host, const render::Settings& settings, render::FrameBuffer& io_frame);
 // Begins a frame without a view, which is black.
 void paint_nothing(Host& io_host, render::FrameBuffer& io_frame);
-// The pixels of the view are in the frame after this.
-void read_view(Host& io_host, render::FrameBuffer& io_frame);
+// Brings the pixels of the view to the frame. False: the card has failed, and there are none.
+bool read_view(Host& io_host, render::FrameBuffer& io_frame);
 void paint_overlay(Host& io_host, const render::DrawList& overlay, render::FrameBuffer& io_frame,
                    render::FrameStats& io_stats);
-// How long this frame takes to draw, if the CPU took `cpu_s`: the card may draw longer.
-double find_drawing_time_s(const Host& host, double cpu_s);
+// How long this frame takes to draw, if the CPU took `cpu_s`: the card may draw longer. Nothing if it has a
+// timer, but has not reported a frame of this size yet.
+std::optional<double> find_drawing_time_s(const Host& host, double cpu_s);
 // Fails if the window is lost.
 base::Status show_frame(Host& io_host, const ScreenSettings& settings);
 

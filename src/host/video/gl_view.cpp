@@ -15,8 +15,12 @@ base::Result<render_gl::GlRenderer> make_gl_renderer(const platform::GlContext& 
 base::Result<std::unique_ptr<GlView>> GlView::make(platform::Window& window, GlWindowUse use,
                                                    const OpenGl& open_gl, const assets::Look& look) {
   std::unique_ptr<GlView> view(new GlView);
-  if (use != GlWindowUse::kOff && view->open_in_window(window, use, look).ok()) return view;
-  view.reset(new GlView);
+  if (use != GlWindowUse::kOff) {
+    const base::Status opened = view->open_in_window(window, use, look);
+    if (opened.ok()) return view;
+    view.reset(new GlView);
+    if (use == GlWindowUse::kOn) view->window_failure_ = opened.error();
+  }
   TRY_STATUS(view->open_alone(open_gl, look));
   return view;
 }

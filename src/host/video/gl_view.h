@@ -1,9 +1,7 @@
 // Draws through OpenGL (`vid_renderer gl`), in one of two ways:
 //
 //   into the window   view, overlay, and tone on the card; nothing comes back, except for screenshots
-//   without a window  the view comes back to the frame buffer, and takes the way of the CPU's pictures; so
-//   any
-//                     window can show it
+//   without a window  the view comes back to the frame buffer, and takes the way of the CPU's pictures
 //
 // A context without a window lives on a thread of its own, because the window's thread may have a context of
 // SDL's.
@@ -40,6 +38,8 @@ class GlView {
   GlView(const GlView&) = delete;
   GlView& operator=(const GlView&) = delete;
 
+  // Why it does not draw into the window, if the player wants it to; else nothing.
+  const std::optional<base::Error>& window_failure() const { return window_failure_; }
   bool draws_into_window() const { return window_context_ != nullptr; }
 
   // Draws the view. Without a window of its own, it writes every pixel of the frame; else see
@@ -57,6 +57,7 @@ class GlView {
   base::Status read(render::FrameBuffer& io_frame) const { return renderer_->read(io_frame); }
   base::Status show(const render_gl::Shown& shown);
   // How long the card drew one of the last frames; see GlRenderer.
+  bool has_card_timer() const { return renderer_->has_card_timer(); }
   std::optional<double> card_seconds() const { return renderer_->card_seconds(); }
 
  private:
@@ -66,6 +67,7 @@ class GlView {
   // Runs the work where the context is current, and waits for it.
   void run(std::function<void()> work);
 
+  std::optional<base::Error> window_failure_;
   std::optional<Worker> thread_;  // of a context without a window
   // One of the two.
   std::unique_ptr<platform::GlContext> context_;

@@ -47,6 +47,7 @@ class Screen {
   void update_scale(const ScreenSettings& settings, double drawing_s) {
     if (settings.automatic_scale) automatic_.update(drawing_s, settings.target_s);
   }
+  void forget_pixels() { shown_ = {}; }
   // Makes pixels() from the frame.
   void finish(const formats::Palette& palette, const Tone& tone);
   // Finishes and shows the frame. Fails if the window is lost.

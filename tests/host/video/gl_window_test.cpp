@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <set>
 
 #include "formats/images/image.h"
 #include "host/headless_host.h"
@@ -169,6 +170,27 @@ TEST_F(GlWindow, GoesOnWithTheCpuIfTheCardFails) {
   EXPECT_TRUE(game_->has_printed("the graphics card is out of memory; the CPU draws"));
   shown_.calls_until_failure = -1;
   EXPECT_GE(compare(), 0.99);
+}
+
+// A frame that fails has no pixels; the next one is the CPU's.
+TEST_F(GlWindow, SavesNoPictureOfAFrameThatFailed) {
+  show_on_card();
+  shown_.calls_until_failure = 0;
+  command("vid_renderer cpu; vid_renderer gl");
+  ASSERT_TRUE(game_->window().apply({.size = {320, 200}}).ok());
+  command("save x");
+  game_->run(0.1, 0.01);
+  const auto picture = formats::read_png(read_file(game_->folder().path() / "id1" / "x.png"));
+  ASSERT_TRUE(picture.ok());
+  EXPECT_GT(std::set<std::uint32_t>(picture->pixels.begin(), picture->pixels.end()).size(), 10u);
+}
+
+TEST_F(GlWindow, SaysWhyItCopies) {
+  game_->set_open_gl(platform::egl::make_offscreen_context);
+  game_->window().set_open_gl(nullptr);
+  command("vid_gl_window on; vid_renderer gl");
+  EXPECT_TRUE(game_->variables().uses_gl());
+  EXPECT_TRUE(game_->has_printed("OpenGL's picture is copied to the window: there is no display"));
 }
 
 // Another mod has other data, and another context in the same window.
