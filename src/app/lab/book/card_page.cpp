@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <span>
 #include <vector>
 
 #include "app/bench/measurement_output.h"
@@ -76,24 +78,29 @@ std::string make_card_tables(const CardResults& results) {
   return html + "</table>\n";
 }
 
-std::string make_card_methods() {
+// `shown`: those with a picture.
+std::string make_card_methods(std::span<const WorldMethod> shown) {
   std::string html;
-  for (const CardMethod& method : list_card_methods())
+  for (const CardMethod& method : list_card_methods()) {
     html += fmt::format(
-        "<section><h2>{0}</h2>\n<p>{1}</p>\n<h3>The article</h3>\n<p>{2}</p>\n<h3>Here</h3>\n<p>{3}</p>\n"
-        "<p><img class=\"wide\" src=\"{4}\" alt=\"{0}, the CPU's picture, and their difference\"/></p>\n"
-        "</section>\n",
+        "<section><h2>{}</h2>\n<p>{}</p>\n<h3>The article</h3>\n<p>{}</p>\n<h3>Here</h3>\n<p>{}</p>\n",
         escape_html(method.title), escape_html(method.summary), escape_html(method.claim),
-        escape_html(method.explanation), card_picture_name(method));
+        escape_html(method.explanation));
+    if (std::ranges::find(shown, method.method) != shown.end())
+      html += fmt::format(
+          "<p><img class=\"wide\" src=\"{}\" alt=\"{}, the CPU's picture, and their difference\"/></p>\n",
+          card_picture_name(method), escape_html(method.title));
+    html += "</section>\n";
+  }
   return html;
 }
 
-std::string make_card_page(const base::Result<CardResults>& results) {
+std::string make_card_page(const base::Result<CardResults>& results, std::span<const WorldMethod> shown) {
   std::string html = begin_page("Graphics cards", std::string(kPlotStyle) + "a { color: var(--bar); }") +
                      "<p><a href=\"index.html\">The laboratory's book</a></p>\n<h1>Graphics cards</h1>\n" +
                      kCardExplanation;
   if (results.ok())
-    html += make_conditions(*results) + make_card_tables(*results) + make_card_methods();
+    html += make_conditions(*results) + make_card_tables(*results) + make_card_methods(shown);
   else
     html += fmt::format("<p>Not measured: {}.</p>\n", escape_html(results.error().message()));
   return html + "</body>\n</html>\n";
@@ -103,10 +110,13 @@ std::string make_card_page(const base::Result<CardResults>& results) {
 
 base::Status write_card_page(const std::filesystem::path& folder, const LabScenes& scenes,
                              const CardGrid& grid, const render::Settings& settings) {
-  render::Settings adapted = scenes.adapt(settings);
+  const render::Settings adapted = scenes.adapt(settings);
   const base::Result<CardResults> results = measure_card(scenes, grid, adapted);
-  if (results.ok()) TRY_STATUS(write_card_pictures(folder, scenes, kCardPictureSize, adapted));
-  return replace_file(folder / "card.html", base::as_bytes(make_card_page(results)));
+  std::vector<WorldMethod> shown;
+  if (results.ok()) {
+    TRY(shown, write_card_pictures(folder, scenes, kCardPictureSize, adapted));
+  }
+  return replace_file(folder / "card.html", base::as_bytes(make_card_page(results, shown)));
 }
 
 }  // namespace temblor::app

@@ -12,7 +12,7 @@ namespace temblor::app {
 struct CardMethod {
   render_gl::WorldMethod method;
   const char* name;     // of a table's row: "light pass"
-  const char* title;    // "The light map as a second pass"
+  const char* title;    // "The light map in a second pass"
   const char* summary;  // one sentence
   const char* claim;    // of the article, in our words
   // How it works here, and how its picture differs.

@@ -72,8 +72,9 @@ std::string card_picture_name(const CardMethod& method) {
   return name;
 }
 
-base::Status write_card_pictures(const std::filesystem::path& folder, const LabScenes& scenes, FrameSize size,
-                                 const render::Settings& settings) {
+base::Result<std::vector<render_gl::WorldMethod>> write_card_pictures(const std::filesystem::path& folder,
+                                                                      const LabScenes& scenes, FrameSize size,
+                                                                      const render::Settings& settings) {
   TRY(const std::unique_ptr<platform::GlContext> context, platform::egl::make_offscreen_context());
   TRY_STATUS(context->make_current());
   const assets::Look& look = scenes.look();
@@ -81,18 +82,20 @@ base::Status write_card_pictures(const std::filesystem::path& folder, const LabS
   TRY(render_gl::GlRenderer gl, render_gl::GlRenderer::make(find, look.palette, look.colormap));
   CardPainter painter(std::move(gl), look, size);
   TRY(const std::size_t wanted, find_picture_scene(scenes, settings, painter));
+  std::vector<render_gl::WorldMethod> shown;
   std::size_t number = 0;
   base::Status written = base::Ok{};
   TRY_STATUS(scenes.for_each_picture([&](const render::Scene& scene) {
     if (number++ != wanted) return;
     for (const CardMethod& method : list_card_methods()) {
-      if (written.ok()) written = painter.draw(scene, settings, method.method);
-      if (written.ok())
-        written = write_lab_picture((folder / card_picture_name(method)).string(), painter.drawn,
-                                    painter.reference, look.palette);
+      if (!written.ok() || !painter.draw(scene, settings, method.method).ok()) continue;
+      written = write_lab_picture((folder / card_picture_name(method)).string(), painter.drawn,
+                                  painter.reference, look.palette);
+      shown.push_back(method.method);
     }
   }));
-  return written;
+  TRY_STATUS(written);
+  return shown;
 }
 
 }  // namespace temblor::app

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include "app/commands/options.h"
 #include "app/lab/card/card_methods.h"
@@ -12,9 +13,11 @@ namespace temblor::app {
 // NAME.png of a method's picture, without spaces.
 std::string card_picture_name(const CardMethod& method);
 
-// Writes a picture for each method, of the scene in which vertex light, which differs most, differs most from
-// the CPU: the method's, the CPU's, and their difference. Fails without OpenGL.
-base::Status write_card_pictures(const std::filesystem::path& folder, const LabScenes& scenes, FrameSize size,
-                                 const render::Settings& settings);
+// Writes a picture for each method that can draw it, and returns those methods. It shows the scene in which
+// vertex light, which differs most, differs most from the CPU: the method's, the CPU's, and their difference.
+// Fails without OpenGL, and if a file cannot be written.
+base::Result<std::vector<render_gl::WorldMethod>> write_card_pictures(const std::filesystem::path& folder,
+                                                                      const LabScenes& scenes, FrameSize size,
+                                                                      const render::Settings& settings);
 
 }  // namespace temblor::app
