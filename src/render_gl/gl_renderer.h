@@ -72,8 +72,8 @@ class GlRenderer {
   // Computes what indexed frames need for translucency (Renderer::make_blend_tables).
   void make_blend_tables() const;
 
-  // How long the card drew one of the last frames, in seconds. Nothing if it has no timer, or has not reported
-  // a frame of the current size yet.
+  // How long the card drew one of the last frames, in seconds. Nothing if it has no timer, or has not
+  // reported a frame of the current size yet.
   bool has_card_timer() const;
   std::optional<double> card_seconds() const;
 
