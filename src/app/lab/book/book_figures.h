@@ -26,7 +26,7 @@ struct BookOptions {
   // Distances, numbers, and limits; the rest is as above.
   GridOptions grid;
   // Frames on graphics cards.
-  CardGrid card{.sizes = {{320, 200}, {640, 480}}, .megabytes = {2, 4, 64}, .seconds = 0.7};
+  CardGrid card{.sizes = {{320, 200}, {640, 480}}, .megabytes = {2, 4, 64}, .seconds = 0.4};
 };
 
 // The figures of all techniques in one level.
