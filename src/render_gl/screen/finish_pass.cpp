@@ -2,18 +2,13 @@
 
 #include <algorithm>
 
+#include "render_gl/screen/whole_picture.h"
+
 namespace temblor::render_gl {
 
 namespace {
 
 constexpr GLenum kPictureUnit = 0, kSourcesUnit = 1;
-
-// One triangle that covers the picture.
-constexpr const char* kVertexShader = R"(
-void main() {
-  gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.5, 1.0);
-}
-)";
 
 // Floats hold the whole numbers of the tint exactly.
 constexpr const char* kFragmentShader = R"(
@@ -48,7 +43,7 @@ FinishPass::FinishPass(const Functions& gl, Program program)
       no_vertices_(make_vertex_array(gl)) {}
 
 base::Result<FinishPass> FinishPass::make(const Functions& gl) {
-  TRY(Program program, make_program(gl, kVertexShader, kFragmentShader));
+  TRY(Program program, make_program(gl, kWholePictureShader, kFragmentShader));
   return FinishPass(gl, std::move(program));
 }
 

@@ -1,19 +1,13 @@
 #include "render_gl/screen/present_pass.h"
 
 #include "render_gl/gl/shader_look.h"
+#include "render_gl/screen/whole_picture.h"
 
 namespace temblor::render_gl {
 
 namespace {
 
 constexpr GLint kShownPictureUnit = 0, kShownColorsUnit = 1;
-
-// One triangle that covers the window.
-constexpr const char* kPresentVertexShader = R"(
-void main() {
-  gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.5, 1.0);
-}
-)";
 
 // The window's first row is the lowest one.
 constexpr const char* kPresentFragmentShader = R"(
@@ -73,7 +67,7 @@ base::Result<PresentPass> PresentPass::make(const Functions& gl, render::PixelFo
       const std::string source = std::string(is_stretched ? "#define STRETCHED\n" : "") +
                                  (has_tone ? "#define TONED\n" : "") + look_part(find_look(format)) +
                                  kPresentFragmentShader;
-      TRY(Program program, make_program(gl, kPresentVertexShader, source.c_str()));
+      TRY(Program program, make_program(gl, kWholePictureShader, source.c_str()));
       pass.programs_[is_stretched][has_tone].emplace(gl, std::move(program));
     }
   return pass;
