@@ -18,7 +18,7 @@ namespace {
 constexpr GLenum kTexturesUnit = 3, kLightUnit = 4;
 
 // One block per instance, as a strip of two triangles.
-constexpr const char* kVertexShader = R"(
+constexpr const char* kBuildVertexShader = R"(
 layout(location = 0) in uvec4 lit;
 layout(location = 1) in uvec3 stored;  // mapping.w of the tile; x | y << 16; width | height << 16
 
@@ -41,7 +41,7 @@ void main() {
 }
 )";
 
-constexpr const char* kFragmentShader = R"(
+constexpr const char* kBuildFragmentShader = R"(
 flat in vec4 texels;
 flat in vec4 light;
 flat in vec4 picture;
@@ -69,10 +69,10 @@ CardBlocks::CardBlocks(LightGrids light, Program program, AtlasPainter painter)
     : GridMethod(std::move(light)), program_(std::move(program)), painter_(std::move(painter)) {}
 
 base::Result<std::unique_ptr<LitMethod>> CardBlocks::make(const Functions& gl, const BlockAtlas& atlas) {
-  const std::string vertex = std::string(kLitTilePart) + kVertexShader;
+  const std::string vertex = std::string(kLitTilePart) + kBuildVertexShader;
   std::string fragment = "#define FILTER 0\n";
   for (const char* part :
-       {kLightScalePart, kLitTilePart, kGridLightPart, kLitColorPart, kAtlasColorPart, kFragmentShader})
+       {kLightScalePart, kLitTilePart, kGridLightPart, kLitColorPart, kAtlasColorPart, kBuildFragmentShader})
     fragment += part;
   TRY(Program program, make_program(gl, vertex.c_str(), fragment.c_str()));
   TRY(AtlasPainter painter, AtlasPainter::make(gl, atlas));

@@ -16,7 +16,7 @@ constexpr CacheOptions kStaging{.bytes = std::size_t{8} << 20, .format = TexelFo
 constexpr int kPaletteColors = 256;
 
 // One block per instance, as a strip of two triangles.
-constexpr const char* kVertexShader = R"(
+constexpr const char* kExpandVertexShader = R"(
 layout(location = 0) in uvec3 staged;  // x | y << 16; width | height << 16; layer | has holes << 16
 layout(location = 1) in uvec2 stored;  // x | y << 16; width | height << 16
 
@@ -38,7 +38,7 @@ void main() {
 }
 )";
 
-constexpr const char* kFragmentShader = R"(
+constexpr const char* kExpandFragmentShader = R"(
 uniform sampler2DArray staging;
 uniform sampler2D palette;
 
@@ -65,8 +65,8 @@ ExpandedBlocks::ExpandedBlocks(Program program, AtlasPainter painter, Texture pa
 
 base::Result<std::unique_ptr<LitMethod>> ExpandedBlocks::make(const Functions& gl, const BlockAtlas& atlas) {
   std::string fragment = kAtlasColorPart;
-  fragment += kFragmentShader;
-  TRY(Program program, make_program(gl, kVertexShader, fragment.c_str()));
+  fragment += kExpandFragmentShader;
+  TRY(Program program, make_program(gl, kExpandVertexShader, fragment.c_str()));
   TRY(AtlasPainter painter, AtlasPainter::make(gl, atlas));
   TRY(Texture palette, make_texture(gl, GL_RGBA8, {kPaletteColors, 1}));
   TRY(BlockAtlas staging, BlockAtlas::make(gl, kStaging));

@@ -9,7 +9,7 @@ namespace temblor::render_gl {
 namespace {
 
 // Passes use lower ones.
-constexpr GLint kFogUnit = 8, kBelowUnit = 9, kBlendUnit = 10, kDimUnit = 11;
+constexpr GLint kFogUnit = 8, kBelowTablesUnit = 9, kBlendUnit = 10, kDimUnit = 11;
 constexpr int kIndices = 256;
 
 void upload_rows(const Functions& gl, const Texture& texture, const std::uint8_t* rows, int count) {
@@ -60,11 +60,11 @@ void IndexTables::use_fog(const Functions& gl, const IndexUniforms& uniforms) co
 base::Status IndexTables::use_blend(const Functions& gl, const IndexUniforms& uniforms,
                                     const IndexBlend& blend, const PixelRect& rect, Target& io_target) {
   // Making a texture binds it, so units are set when all textures exist.
-  gl.ActiveTexture(GL_TEXTURE0 + kBelowUnit);
+  gl.ActiveTexture(GL_TEXTURE0 + kBelowTablesUnit);
   TRY(const GLuint table, find(gl, blend.table, kIndices));
   TRY(const GLuint dims, find(gl, blend.dims == nullptr ? blend.table : blend.dims, kIndices));
   TRY(const GLuint below, io_target.copy(gl, rect));
-  use_texture(gl, uniforms.below, kBelowUnit, below);
+  use_texture(gl, uniforms.below, kBelowTablesUnit, below);
   use_texture(gl, uniforms.blend_table, kBlendUnit, table);
   use_texture(gl, uniforms.dim_table, kDimUnit, dims);
   gl.Uniform1i(uniforms.dim_column, blend.dims == nullptr ? -1 : blend.dim_column);

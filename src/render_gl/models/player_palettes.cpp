@@ -6,7 +6,7 @@ namespace temblor::render_gl {
 
 namespace {
 
-constexpr int kPaletteColors = 256;
+constexpr int kRowColors = 256;
 // Rows of the palette that a player may choose for each of two parts.
 constexpr int kChoices = 16;
 constexpr int kPlainRow = kChoices * kChoices;
@@ -15,7 +15,7 @@ constexpr int kPlainRow = kChoices * kChoices;
 render::ColorTables make_unlit_tables(const render::ColorTables& colors) {
   formats::Colormap colormap = colors.colormap;
   for (std::size_t i = 0; i < colormap.rows.size(); ++i)
-    colormap.rows[i] = static_cast<std::uint8_t>(i % kPaletteColors);
+    colormap.rows[i] = static_cast<std::uint8_t>(i % kRowColors);
   return render::make_color_tables(colors.palette, colormap);
 }
 
@@ -30,14 +30,14 @@ base::Result<PlayerPalettes> PlayerPalettes::make(const Functions& gl, const ren
   const bool is_indexed = format == render::PixelFormat::kIndexed;
   std::optional<render::ColorTables> unlit;
   if (is_indexed) unlit = make_unlit_tables(colors);
-  TRY(Texture texture, make_texture(gl, is_indexed ? GL_R8 : GL_RGBA8, {kPaletteColors, kPlainRow + 1}));
+  TRY(Texture texture, make_texture(gl, is_indexed ? GL_R8 : GL_RGBA8, {kRowColors, kPlainRow + 1}));
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
   base::Arena arena;
   const auto upload = [&](const std::optional<render::PlayerColors>& player) {
     const render::AliasInstance instance{.colors = player};
     const void* const table =
         render::instance_colors(is_indexed ? *unlit : colors, instance, {}, format, arena);
-    gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, row(player), kPaletteColors, 1, is_indexed ? GL_RED : GL_RGBA,
+    gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, row(player), kRowColors, 1, is_indexed ? GL_RED : GL_RGBA,
                      GL_UNSIGNED_BYTE, table);
     arena.reset();
   };

@@ -8,7 +8,7 @@ namespace {
 
 // An instance is a ParticleRect, whose color may be an index: then it is in the red channel. Its sides lie
 // between pixels, so that rounding cannot move them.
-constexpr const char* kVertexShader = R"(
+constexpr const char* kParticleVertexShader = R"(
 layout(location = 0) in float depth;
 layout(location = 1) in uvec4 rect;  // left, top, width, height
 layout(location = 2) in vec4 color;
@@ -24,7 +24,7 @@ void main() {
 }
 )";
 
-constexpr const char* kFragmentShader = R"(
+constexpr const char* kParticleFragmentShader = R"(
 flat in vec3 rect_color;
 flat in float rect_depth;
 out vec4 color;
@@ -52,7 +52,8 @@ ParticlePass::ParticlePass(const Functions& gl, ScreenProgram program)
 }
 
 base::Result<ParticlePass> ParticlePass::make(const Functions& gl, render::PixelFormat format) {
-  TRY(ScreenProgram program, ScreenProgram::make(gl, kVertexShader, kFragmentShader, find_look(format)));
+  TRY(ScreenProgram program,
+      ScreenProgram::make(gl, kParticleVertexShader, kParticleFragmentShader, find_look(format)));
   return ParticlePass(gl, std::move(program));
 }
 

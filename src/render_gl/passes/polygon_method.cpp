@@ -18,7 +18,7 @@ float find_nearer(const Functions& gl) {
   return (gl.ClipControl != nullptr ? 0.5f : 4.5f) * kBrushModelNearer;
 }
 
-constexpr const char* kVertexShader = R"(
+constexpr const char* kPolygonVertexShader = R"(
 layout(location = 0) in vec4 position;  // in the world; how much nearer it comes
 layout(location = 1) in vec3 light;
 
@@ -33,7 +33,7 @@ void main() {
 }
 )";
 
-constexpr const char* kFragmentShader = R"(
+constexpr const char* kPolygonFragmentShader = R"(
 in vec3 half_light;
 out vec4 color;
 
@@ -58,8 +58,8 @@ PolygonMethod::PolygonMethod(const Functions& gl, LightGrids light, Program prog
 }
 
 base::Result<std::unique_ptr<LitMethod>> PolygonMethod::make(const Functions& gl) {
-  TRY(Program program,
-      make_program(gl, (std::string(kProjectionPart) + kVertexShader).c_str(), kFragmentShader));
+  TRY(Program program, make_program(gl, (std::string(kProjectionPart) + kPolygonVertexShader).c_str(),
+                                    kPolygonFragmentShader));
   TRY(LightGrids light, LightGrids::make(gl));
   return std::unique_ptr<LitMethod>(new PolygonMethod(gl, std::move(light), std::move(program)));
 }

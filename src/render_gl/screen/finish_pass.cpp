@@ -8,10 +8,10 @@ namespace temblor::render_gl {
 
 namespace {
 
-constexpr GLenum kPictureUnit = 0, kSourcesUnit = 1;
+constexpr GLenum kFinishedPictureUnit = 0, kSourcesUnit = 1;
 
 // Floats hold the whole numbers of the tint exactly.
-constexpr const char* kFragmentShader = R"(
+constexpr const char* kFinishFragmentShader = R"(
 uniform sampler2D picture;
 uniform usampler2D warp_sources;  // numbers of columns in row 0, of rows in row 1; modulo 2^32
 uniform bool is_warped;
@@ -43,7 +43,7 @@ FinishPass::FinishPass(const Functions& gl, Program program)
       no_vertices_(make_vertex_array(gl)) {}
 
 base::Result<FinishPass> FinishPass::make(const Functions& gl) {
-  TRY(Program program, make_program(gl, kWholePictureShader, kFragmentShader));
+  TRY(Program program, make_program(gl, kWholePictureShader, kFinishFragmentShader));
   return FinishPass(gl, std::move(program));
 }
 
@@ -70,9 +70,9 @@ base::Status FinishPass::draw(const Functions& gl, const render::Scene& scene, T
   TRY(const GLuint picture, io_target.exchange(gl));
   if (scene.underwater) TRY_STATUS(load_sources(gl, io_target, scene.time_s));
   gl.UseProgram(program_.name());
-  gl.ActiveTexture(GL_TEXTURE0 + kPictureUnit);
+  gl.ActiveTexture(GL_TEXTURE0 + kFinishedPictureUnit);
   gl.BindTexture(GL_TEXTURE_2D, picture);
-  gl.Uniform1i(picture_, kPictureUnit);
+  gl.Uniform1i(picture_, kFinishedPictureUnit);
   gl.Uniform1i(warp_sources_, kSourcesUnit);
   gl.Uniform1i(is_warped_, scene.underwater);
   const auto channel = [&](int shift) { return static_cast<float>(tint.color() >> shift & 255); };

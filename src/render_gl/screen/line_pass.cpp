@@ -11,7 +11,7 @@ namespace temblor::render_gl {
 
 namespace {
 
-constexpr const char* kVertexShader = R"(
+constexpr const char* kLineVertexShader = R"(
 layout(location = 0) in vec2 pixel;
 // The same at all corners of a line.
 layout(location = 1) in vec3 kind;   // the first pixel along the line; 1 if it is steep; 1 if it is tested
@@ -31,7 +31,7 @@ void main() {
 
 // A line in the middle between two pixels takes the later one, as on the CPU, also if it is moved a little by
 // rounding. A line without a test is as near as anything can be. The slack of depth is kLineDepthSlack.
-constexpr const char* kFragmentShader = R"(
+constexpr const char* kLineFragmentShader = R"(
 flat in vec3 line_kind;
 flat in vec4 line_steps, line_color;
 out vec4 color;
@@ -69,7 +69,7 @@ LinePass::LinePass(const Functions& gl, ScreenProgram program)
 }
 
 base::Result<LinePass> LinePass::make(const Functions& gl) {
-  TRY(ScreenProgram program, ScreenProgram::make(gl, kVertexShader, kFragmentShader));
+  TRY(ScreenProgram program, ScreenProgram::make(gl, kLineVertexShader, kLineFragmentShader));
   return LinePass(gl, std::move(program));
 }
 
