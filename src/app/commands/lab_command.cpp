@@ -249,6 +249,7 @@ base::Status make_book(const LabOptions& options, const GameFolders& folders,
                               crowd));
     model_scenes.push_back(std::move(scenes));
   }
+  TRY_STATUS(make_page_folder(options.out));  // before minutes of measurements
   TRY(const WireResults wire, measure_wire_for_book(maps.front(), folders));
   return write_book(options.out, levels, model_scenes, wire, book);
 }
