@@ -25,7 +25,7 @@ class FailingCard : public testing::TestWithParam<render::PixelFormat> {
 
   base::Result<GlRenderer> make() {
     card_->calls = {};
-    auto made = GlRenderer::make(card_->finder(), level_.palette, level_.colormap);
+    auto made = GlRenderer::make(card_->finder(), level_.palette, level_.colormap, {.bytes = 8 << 20});
     if (made.ok()) made->set_method(method_);
     return made;
   }

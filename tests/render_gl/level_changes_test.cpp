@@ -52,12 +52,12 @@ class LevelChanges : public testing::TestWithParam<render::PixelFormat> {
       ASSERT_TRUE(result.ok()) << result.error().what;
     }
   }
-  void keep_nothing(WorldMethod method) {
+  void keep_nothing(WorldMethod method, std::size_t changes) {
     constexpr std::size_t kFirst = 20;
-    const std::size_t changes = test::effort(500, 30);
     {
       GlRenderer renderer =
-          GlRenderer::make(card_->finder(), levels_[0].palette, levels_[0].colormap).value();
+          GlRenderer::make(card_->finder(), levels_[0].palette, levels_[0].colormap, {.bytes = 8 << 20})
+              .value();
       renderer.set_method(method);
       Held most;
       for (std::size_t number = 0; number < changes; ++number) {
@@ -82,12 +82,12 @@ class LevelChanges : public testing::TestWithParam<render::PixelFormat> {
 };
 
 TEST_P(LevelChanges, KeepNothingOfOldLevels) {
-  keep_nothing(WorldMethod::kBlocks);
+  keep_nothing(WorldMethod::kBlocks, test::effort(500, 30));
   if (GetParam() == render::PixelFormat::kIndexed) return;
   using enum WorldMethod;
   for (const WorldMethod method :
        {kLitTextures, kCardBlocks, kExpandedBlocks, kLightPass, kLightPolygons, kGouraud, kStyleLayers})
-    keep_nothing(method);
+    keep_nothing(method, test::effort(80, 30));
 }
 
 INSTANTIATE_TEST_SUITE_P(BothFormats, LevelChanges,
