@@ -6,6 +6,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "render/kernel_inline.h"
 #include "render/spans/surface_walk-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -98,7 +99,7 @@ struct LineSpanDrawer {
   rn::SpanOutput<Texel> out;
 
   template <int kRows>
-  HWY_INLINE void DrawVector(const rn::VectorLines& vectors, VF lane, int i, int count) const {
+  TEMBLOR_KERNEL_INLINE void DrawVector(const rn::VectorLines& vectors, VF lane, int i, int count) const {
     const DF d;
     if (out.depth != nullptr) {
       const VF depth = vectors.depth.At(lane);
@@ -114,7 +115,7 @@ struct LineSpanDrawer {
   }
 
   template <int kRows>
-  HWY_INLINE void Draw(int count) const {
+  TEMBLOR_KERNEL_INLINE void Draw(int count) const {
     const DF d;
     const int lanes = static_cast<int>(hn::Lanes(d));
     const rn::VectorLines vectors(lines);
@@ -138,7 +139,7 @@ struct LineSpanDrawer {
 // The choice of a loop is that of DrawEveryPixel in render/spans/span_kernels_simd.cpp, which also has loops
 // for spans that stay inside of their texels. Here they would save little, and take ten seconds to compile.
 template <typename Texel, class Distances>
-HWY_INLINE void DrawSpan(const LineSpans& spans, const rn::SpanLines& lines, const rn::Sampler& sampler,
+TEMBLOR_KERNEL_INLINE void DrawSpan(const LineSpans& spans, const rn::SpanLines& lines, const rn::Sampler& sampler,
                          const Distances& distances, int count, const rn::SpanOutput<Texel>& out) {
   const rn::Walk walk(lines);
   const int rows = walk.RowsNeeded(lines, count);

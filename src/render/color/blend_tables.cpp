@@ -12,13 +12,6 @@ constexpr std::size_t kClear = 255;
 
 }  // namespace
 
-// If the whole palette is full-bright, every entry except 255 may be a result.
-PaletteMatch::PaletteMatch(const formats::Palette& palette, int first_fullbright)
-    : first_fullbright_(first_fullbright),
-      lit_(palette, 0,
-           first_fullbright > 0 ? std::min(static_cast<std::size_t>(first_fullbright), kClear) : kClear),
-      any_(palette, 0, kClear) {}
-
 BlendTables::Tables::Tables(const formats::Palette& source_palette, const PaletteMatch& source_match)
     : palette(source_palette),
       match(source_match),

@@ -1,9 +1,8 @@
 // Translucency and fog for indexed pixels: tables that say which palette entry a blend of two entries looks
 // like.
 //
-// A blend of two colors becomes the palette entry nearest to their mean. The result is a full-bright entry
-// only if one of the two is full-bright: otherwise light would appear between two dark colors. It is never
-// entry 255, which stands for "clear" in pictures.
+// A blend of two colors becomes the palette entry that PaletteMatch finds for their mean; it is full-bright
+// only if one of the two is.
 #pragma once
 
 #include <array>
@@ -12,10 +11,10 @@
 #include <mutex>
 #include <optional>
 
-#include "formats/images/nearest_color.h"
 #include "formats/images/palette.h"
 #include "math/vec.h"
 #include "render/color/fog_curve.h"
+#include "render/color/palette_match.h"
 
 namespace temblor::render {
 
@@ -52,22 +51,6 @@ constexpr std::uint32_t add_rgb(std::uint32_t over, std::uint32_t under) {
   return out;
 }
 
-// Finds the palette entry that looks most like a color, under the rule above.
-class PaletteMatch {
- public:
-  PaletteMatch(const formats::Palette& palette, int first_fullbright);
-
-  // `fullbright`: whether a full-bright entry is part of the color.
-  std::uint8_t operator()(formats::Rgb color, bool fullbright) const {
-    return (fullbright ? any_ : lit_).find(color);
-  }
-  bool is_fullbright(std::size_t index) const { return static_cast<int>(index) >= first_fullbright_; }
-
- private:
-  int first_fullbright_;
-  formats::NearestColor lit_, any_;
-};
-
 // One table of 64 KiB for each sixteenth of opacity from 1 to 15, and one for sums. A table is computed when
 // it is used for the first time, since that takes milliseconds and a single picture needs few.
 class BlendTables {
@@ -76,8 +59,8 @@ class BlendTables {
   BlendTables(const formats::Palette& palette, const PaletteMatch& match);
 
   // The table for the step nearest to `opacity`: index `over` in front of index `under` is table[over * 256 +
-  // under]. Never the step for clear or opaque, which callers need no table for. Thread-safe; allocates
-  // nothing. Tables keep their address when this object is moved.
+  // under]. Never the step for clear or opaque, which callers need no table for. Thread-safe;
+  // allocates only what `match` prepares. Tables keep their address when this object is moved.
   const std::uint8_t* table_for(float opacity) const;
   // The same for the sum of two colors, which is symmetric. Any entry except 255 may be a result: nothing
   // lights a sum.

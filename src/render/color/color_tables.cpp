@@ -12,8 +12,8 @@ ColorTables make_color_tables(const formats::Palette& palette, const formats::Co
                      {},
                      {},
                      first_fullbright,
-                     match({128, 128, 128}, false),
-                     match({0, 0, 0}, false),
+                     match.find_by_trying({128, 128, 128}, false),
+                     match.find_by_trying({0, 0, 0}, false),
                      match,
                      BlendTables(palette, match),
                      TintTables(palette, match)};

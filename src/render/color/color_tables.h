@@ -6,6 +6,7 @@
 
 #include "formats/images/palette.h"
 #include "render/color/blend_tables.h"
+#include "render/color/palette_match.h"
 #include "render/color/tint_tables.h"
 
 namespace temblor::render {

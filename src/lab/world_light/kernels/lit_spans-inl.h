@@ -16,6 +16,7 @@
 #include <hwy/highway.h>
 
 #include "lab/world_light/kernels/lit_kernels.h"
+#include "render/kernel_inline.h"
 #include "render/spans/fetch_texels-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -189,7 +190,7 @@ struct SpanDrawer {
                    hn::Set(DI(), rn::kBias));
   }
 
-  HWY_INLINE void DrawVector(int i, int count) const {
+  TEMBLOR_KERNEL_INLINE void DrawVector(int i, int count) const {
     const DF d;
     Places places;
     places.count = count;
