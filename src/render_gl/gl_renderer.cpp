@@ -10,6 +10,7 @@
 #include "render_gl/models/alias_pass.h"
 #include "render_gl/overlay/overlay_pass.h"
 #include "render_gl/particles/particle_pass.h"
+#include "render_gl/screen/depth_reader.h"
 #include "render_gl/screen/finish_pass.h"
 #include "render_gl/screen/line_pass.h"
 #include "render_gl/sprites/sprite_pass.h"
@@ -33,7 +34,8 @@ struct Passes {
   LinePass lines;
   OverlayPass overlay;
   PresentPass present;
-  IndexTables index_tables = {};  // indexed frames only
+  IndexTables index_tables = {};                 // indexed frames only
+  std::optional<DepthReader> depth_reader = {};  // once depth was shown
   Target target = {};
 };
 
@@ -82,6 +84,7 @@ struct GlRenderer::State {
   base::Status begin(const render::FrameBuffer& frame);
   base::Status draw(const FrameInput& input, std::uint32_t background);
   base::Status read(render::FrameBuffer& io_frame);
+  base::Status read_depth(const render::ViewFrame& view, render::FrameBuffer& io_frame);
 };
 
 // The old ones go first: the card may lack memory for both.
@@ -180,8 +183,11 @@ base::Result<render::FrameStats> GlRenderer::draw(const render::Scene& scene, co
   render::StageClock clock(record.times);
   TRY_STATUS(state_->draw(input, background));
   clock.end(render::Stage::kSpans);
-  if (settings.show != render::Show::kPicture && settings.show != render::Show::kDepth) {  // the card has it
-    TRY_STATUS(state_->read(io_frame));
+  if (settings.show != render::Show::kPicture) {
+    if (settings.show == render::Show::kDepth)
+      TRY_STATUS(state_->read_depth(record.view, io_frame));
+    else
+      TRY_STATUS(state_->read(io_frame));
     render::draw_debug_view(settings.show,
                             {*scene.level, record.view, record.edges, record.spans, record.surfaces.draws},
                             caches.colors.palette, io_frame);
@@ -228,6 +234,15 @@ base::Status GlRenderer::State::read(render::FrameBuffer& io_frame) {
   const Target& target = passes->target;
   if (target.format() == render::PixelFormat::kIndexed) return target.read(gl, io_frame.indexed());
   return target.read(gl, io_frame.rgb());
+}
+
+base::Status GlRenderer::State::read_depth(const render::ViewFrame& view, render::FrameBuffer& io_frame) {
+  timer.end(gl);
+  std::optional<DepthReader>& reader = passes->depth_reader;
+  if (!reader) {
+    TRY(reader, DepthReader::make(gl));
+  }
+  return reader->read(gl, view, passes->target, io_frame.depth());
 }
 
 base::Status GlRenderer::clear(const render::FrameBuffer& frame) {

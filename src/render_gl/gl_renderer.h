@@ -52,7 +52,7 @@ class GlRenderer {
                                           render::FrameBuffer& io_frame);
 
   // The steps of a frame that the card shows by itself. The picture stays on the card, and has the size and
-  // the format of `io_frame`, whose depth stays as it is, and whose pixels are changed by debug views only. A
+  // the format of `io_frame`, whose depth and pixels are changed by debug views only. A
   // frame of another format than the last one makes everything again. All steps fail if the card lacks
   // memory, if the driver does not accept the shaders of the format, or if the context is lost; then the
   // picture is undefined.

@@ -4,6 +4,13 @@
 
 namespace temblor::render_gl {
 
+math::Vec2 find_depth_scale(const render::ViewFrame& view) {
+  // Units that depth covers in parallel projection, as in world_shaders.h.
+  constexpr double kDepthRange = 262144;
+  if (view.perspective) return {0, static_cast<float>(view.near_z)};
+  return {static_cast<float>(1 + view.near_z / kDepthRange), static_cast<float>(1 / kDepthRange)};
+}
+
 ScreenProgram::ScreenProgram(const Functions& gl, Program program)
     : program_(std::move(program)),
       pixel_size_(gl.GetUniformLocation(program_.name(), "pixel_size")),
@@ -23,15 +30,10 @@ base::Result<ScreenProgram> ScreenProgram::make(const Functions& gl, const char*
 
 void ScreenProgram::use(const Functions& gl, const render::ViewFrame& view, const render::Fog& fog,
                         const IndexTables* tables) const {
-  constexpr double kDepthRange =
-      262144;  // units that depth covers in parallel projection, as in world_shaders.h
   gl.UseProgram(program_.name());
   gl.Uniform2f(pixel_size_, static_cast<float>(2.0 / view.width), static_cast<float>(2.0 / view.height));
-  if (view.perspective)
-    gl.Uniform2f(depth_scale_, 0, static_cast<float>(view.near_z));
-  else
-    gl.Uniform2f(depth_scale_, static_cast<float>(1 + view.near_z / kDepthRange),
-                 static_cast<float>(1 / kDepthRange));
+  const math::Vec2 depth_scale = find_depth_scale(view);
+  gl.Uniform2f(depth_scale_, depth_scale.x, depth_scale.y);
   gl.Uniform1i(full_range_, gl.ClipControl == nullptr);
   gl.Uniform1i(perspective_, view.perspective);
   const formats::Rgb color = render::to_bytes(fog.color);

@@ -49,6 +49,9 @@ vec3 add_fog(vec3 color, float depth) {
 }
 )";
 
+// The card's depth of a pixel is x + y * depth, before it is halved (kWorldDepthEnd).
+math::Vec2 find_depth_scale(const render::ViewFrame& view);
+
 // A program with these parts, and the locations of their variables.
 class ScreenProgram {
  public:
