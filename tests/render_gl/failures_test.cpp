@@ -108,12 +108,12 @@ TEST_P(FailingCard, SurvivesEachShaderThatDoesNotCompileOrLink) {
   ASSERT_EQ(run(), "");
   const InjectedGl::Calls all = card_->calls;
   EXPECT_EQ(all.compile, 2 * all.link);
-  for (int number = 0; number < all.compile; ++number) {
+  for (int number = 0; number < all.compile; number += test::effort(1, 5)) {
     card_->faults.compile = number;
     EXPECT_TRUE(contains(run(), "the OpenGL driver does not compile a shader")) << number;
   }
   card_->faults.compile = -1;
-  for (int number = 0; number < all.link; ++number) {
+  for (int number = 0; number < all.link; number += test::effort(1, 5)) {
     card_->faults.link = number;
     EXPECT_TRUE(contains(run(), "the OpenGL driver does not link a shader")) << number;
   }
@@ -175,7 +175,7 @@ TEST_P(FailingCard, SurvivesFailuresOfEachMethod) {
     ASSERT_EQ(run(), "");
     const InjectedGl::Calls all = card_->calls;
     const auto fail_each = [&](int begin, int end, int& io_fault, const char* line) {
-      for (int number = begin; number < end; number += test::effort(1, 4)) {
+      for (int number = begin; number < end; number += test::effort(1, 5)) {
         io_fault = number;
         EXPECT_TRUE(contains(run(), line)) << number;
       }

@@ -19,6 +19,7 @@
 #include "app/program.h"
 #include "lab/lessons.h"
 #include "lab/registry.h"
+#include "support/effort.h"
 #include "support/page_markup.h"
 #include "support/programs/small_game.h"
 #include "support/random.h"
@@ -254,6 +255,7 @@ TEST(LabBook, ShowsTheWire) {
   const TemporaryFolder folder;
   app::WireOptions options;
   options.seconds = 5;
+  if (kQuick) options.latency_ms = {200, 200};
   const app::WireResults results = app::measure_wire(options, {}).value();
   ASSERT_TRUE(app::write_wire_page(folder.path(), results));
   const std::string page = read_text(folder.path() / "wire.html");
