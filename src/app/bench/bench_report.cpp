@@ -43,7 +43,7 @@ void report_format(const LoadedMap& map, const render::Settings& settings, rende
                    double step_deg) {
   MeasureOptions options = main_options(settings, format, step_deg);
   options.cold = options.relight = true;
-  const Measurement one = measure(map, options);
+  const Measurement one = measure(map, options).value();
   const std::string name = pixel_format_name(format);
   print_row(fmt::format("{}: world view / fill baseline", name),
             fmt::format("{:.2f} ({:.2f} ms, baseline {:.2f} ms, {} views from {} places)",
@@ -73,7 +73,7 @@ void report_format(const LoadedMap& map, const render::Settings& settings, rende
             "0");
   options.cold = options.relight = false;
   options.settings.threads = 2;
-  const Measurement two = measure(map, options);
+  const Measurement two = measure(map, options).value();
   print_row(fmt::format("{}: two threads / one", name),
             fmt::format("{:.2f} (two fill baselines in parallel: {:.2f})",
                         one.render_ms.p50 / two.render_ms.p50, measure_baseline_speedup(kMainSize, format)),
@@ -126,9 +126,9 @@ base::Status report_demo_format(const LoadedDemo& demo, const client::Presentati
 void report_depth_share(const LoadedMap& map, const render::Settings& settings, double step_deg) {
   for (const render::PixelFormat format : kFormats) {
     MeasureOptions options = main_options(settings, format, std::max(step_deg, kCoarseStepDeg));
-    const double with_depth = measure(map, options).render_ms.p50;
+    const double with_depth = measure(map, options).value().render_ms.p50;
     options.settings.fill_depth = false;
-    const double without = measure(map, options).render_ms.p50;
+    const double without = measure(map, options).value().render_ms.p50;
     print_row(fmt::format("{}: share of the time for filling 1/z", pixel_format_name(format)),
               fmt::format("{:.0f} % ({:.2f} ms of {:.2f} ms)", 100 * (1 - without / with_depth),
                           with_depth - without, with_depth),
@@ -146,7 +146,7 @@ void report_sizes(const LoadedMap& map, const render::Settings& settings, double
     std::string times;
     for (const FrameSize& size : kSizes) {
       options.size = size;
-      const double ms = measure(map, options).render_ms.p50;
+      const double ms = measure(map, options).value().render_ms.p50;
       times += fmt::format("{}{}x{}: {:.2f} ms, {:.2f} ns/pixel", times.empty() ? "" : "; ", size.width,
                            size.height, ms, ms * kNanosecondsPerMs / size.width / size.height);
     }
@@ -169,7 +169,7 @@ void report_surface_cache(const LoadedMap& map, const render::Settings& settings
     options.size = claim.size;
     options.cold = true;
     options.settings.mip_rule = render::MipRule::kStock;
-    const Measurement m = measure(map, options);
+    const Measurement m = measure(map, options).value();
     print_row(fmt::format("stock mips, {}x{}: texels in a frame's surfaces; cache after a circle",
                           claim.size.width, claim.size.height),
               fmt::format("median {:.0f}, max {:.0f} texels; median {:.0f} KiB, max {:.0f} KiB",

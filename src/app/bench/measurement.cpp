@@ -12,6 +12,7 @@
 #include "app/files/system.h"
 #include "app/lab/model_crowd.h"
 #include "app/level/level_scene.h"
+#include "app/level/scene_drawer.h"
 #include "app/level/viewpoints.h"
 #include "base/check.h"
 #include "base/large_memory.h"
@@ -45,24 +46,9 @@ struct Lighting {
 // Renderer, frame, and scene, shared by all measurements of a level.
 class Bench {
  public:
-  Bench(const LoadedMap& map, const MeasureOptions& options)
-      : options_(options),
-        palette_(map.look.palette),
-        level_scene_(make_level_scene(map.level)),
-        renderer_(map.look.palette, map.look.colormap),
-        frame_(options.size.width, options.size.height, options.format),
-        baseline_placement_(options.baseline ? find_fastest_placement(frame_) : 0),
-        jobs_(options.settings.threads, options.settings.job_backend) {
-    if (options.technique != nullptr) renderer_.replace_stages(options.technique->make_stages());
-    for (const Viewpoint& viewpoint : list_viewpoints(*map.level)) {
-      // Models stand before the camera wherever it is.
-      if (options.models != nullptr && !circles_.empty()) break;
-      circles_.push_back(make_circle_views(viewpoint, options.fov_deg, options.step_deg));
-    }
-    if (options.format == render::PixelFormat::kIndexed) {
-      window_ = base::allocate_large<std::uint32_t>(frame_.pixel_count());
-      CHECK(window_ != nullptr, "no memory for {} pixels", frame_.pixel_count());
-    }
+  static base::Result<Bench> make(const LoadedMap& map, const MeasureOptions& options) {
+    TRY(SceneDrawer drawer, SceneDrawer::make(options.renderer, map.look.palette, map.look.colormap));
+    return Bench(map, options, std::move(drawer));
   }
 
   // Places the models that the next frames show.
@@ -75,7 +61,7 @@ class Bench {
     render::Scene scene = make_scene(level_scene_, camera, 0.0);
     scene.light_styles = world::compute_light_styles(level_scene_.light_styles, light_time_s);
     scene.alias_models = models_;
-    return renderer_.render(scene, options_.settings, frame_);
+    return draw(scene, options_.settings);
   }
   // Draws with given light, as if the frame before had other light.
   render::FrameStats draw_lit(const render::Camera& camera, const Lighting& light) {
@@ -87,8 +73,10 @@ class Bench {
     scene.frame_number = light.frame_number;
     render::Settings settings = options_.settings;
     settings.relight_alternate = light.alternate;
-    return renderer_.render(scene, settings, frame_);
+    return draw(scene, settings);
   }
+  // The first failure of the card, after which nothing was drawn.
+  const base::Status& status() const { return status_; }
   void present_frame() {
     if (window_ != nullptr)
       render::present(frame_, palette_, options_.settings.simd_kernels, jobs_,
@@ -96,18 +84,47 @@ class Bench {
   }
   bool has_baseline() const { return options_.baseline; }
   void run_baseline() { run_fill_baseline(baseline_placement_, frame_); }
-  // Empties the surface cache.
-  void drop_surfaces() { renderer_.drop_surfaces(); }
+  // Empties the CPU's surface cache.
+  void drop_surfaces() { drawer_.cpu().drop_surfaces(); }
   const std::vector<std::vector<render::Camera>>& circles() const { return circles_; }
   std::size_t pixels() const { return frame_.pixel_count(); }
 
  private:
+  Bench(const LoadedMap& map, const MeasureOptions& options, SceneDrawer drawer)
+      : options_(options),
+        palette_(map.look.palette),
+        level_scene_(make_level_scene(map.level)),
+        drawer_(std::move(drawer)),
+        frame_(options.size.width, options.size.height, options.format),
+        baseline_placement_(options.baseline ? find_fastest_placement(frame_) : 0),
+        jobs_(options.settings.threads, options.settings.job_backend) {
+    if (options.technique != nullptr) drawer_.cpu().replace_stages(options.technique->make_stages());
+    for (const Viewpoint& viewpoint : list_viewpoints(*map.level)) {
+      // Models stand before the camera wherever it is.
+      if (options.models != nullptr && !circles_.empty()) break;
+      circles_.push_back(make_circle_views(viewpoint, options.fov_deg, options.step_deg));
+    }
+    if (options.format == render::PixelFormat::kIndexed) {
+      window_ = base::allocate_large<std::uint32_t>(frame_.pixel_count());
+      CHECK(window_ != nullptr, "no memory for {} pixels", frame_.pixel_count());
+    }
+  }
+
+  render::FrameStats draw(const render::Scene& scene, const render::Settings& settings) {
+    if (!status_) return {};
+    base::Result<render::FrameStats> drawn = drawer_.draw(scene, settings, frame_);
+    if (drawn.ok()) return *drawn;
+    status_ = drawn.error();
+    return {};
+  }
+
   const MeasureOptions& options_;
   const formats::Palette& palette_;
   LevelScene level_scene_;
   std::vector<render::AliasInstance> models_;
   int moment_ = 0;
-  render::Renderer renderer_;
+  SceneDrawer drawer_;
+  base::Status status_ = base::Ok{};
   render::FrameBuffer frame_;
   int baseline_placement_;
   base::Jobs jobs_;
@@ -242,14 +259,16 @@ void Measurement::count_allocations(std::uint64_t count) {
 
 // The cold views come first, before the caches are filled for the warm ones. The order does not matter
 // otherwise.
-Measurement measure(const LoadedMap& map, const MeasureOptions& options) {
-  Bench bench(map, options);
+base::Result<Measurement> measure(const LoadedMap& map, const MeasureOptions& options) {
+  TRY(Bench bench, Bench::make(map, options));
   Measurement result;
   result.options = options;
   result.places = bench.circles().size();
   if (options.cold) measure_cold(bench, result);
   if (options.relight) result.relight = measure_relight(bench);
-  measure_warm(bench, options.time_limit_s, result).summarize(bench.pixels(), result);
+  const Samples samples = measure_warm(bench, options.time_limit_s, result);
+  TRY_STATUS(bench.status());
+  samples.summarize(bench.pixels(), result);
   return result;
 }
 

@@ -29,13 +29,12 @@ struct MeasureOptions {
   FrameSize size{1920, 1080};
   render::PixelFormat format = render::PixelFormat::kRgb;
   float fov_deg = 90;
-  // Levels are drawn by the CPU only.
   RendererKind renderer = RendererKind::kCpu;
   // Angle between two views of a circle.
   double step_deg = 5;
   // Runs of a demo; the fastest time of every frame counts.
   int runs = 1;
-  // Also measure views with an empty surface cache.
+  // Also measure views with an empty surface cache; of the CPU only.
   bool cold = false;
   // Also measure views with changing light.
   bool relight = false;
@@ -114,8 +113,9 @@ struct Measurement {
   void count_allocations(std::uint64_t count);
 };
 
-// Measures all views of a level. Level and settings must be valid; nothing can fail.
-Measurement measure(const LoadedMap& map, const MeasureOptions& options);
+// Measures all views of a level. Level and settings must be valid. Fails only if a graphics card was asked
+// for and cannot draw.
+base::Result<Measurement> measure(const LoadedMap& map, const MeasureOptions& options);
 // Ignores options.step_deg, cold, and relight. Returns an error if the demo is damaged.
 base::Result<Measurement> measure_demo(const LoadedDemo& demo,
                                        const client::PresentationSettings& presentation,

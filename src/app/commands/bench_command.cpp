@@ -238,9 +238,9 @@ Command* add_bench_command(Command& program, BenchOptions& io_options) {
 
 base::Status run_bench(const BenchOptions& options, const GameFolders& folders,
                        const client::PresentationSettings& presentation, const render::Settings& settings) {
-  if (options.frame.renderer == RendererKind::kGl && (options.demos.empty() || !options.maps.empty()))
+  if (options.frame.renderer == RendererKind::kGl && (options.cold || options.report || options.views > 0))
     return base::error(base::ErrorCode::kUsage,
-                       "--renderer gl: OpenGL is measured with demos only; name one with --demo");
+                       "--renderer gl: --cold, --report, and --views measure the CPU's renderer only");
   // An empty name is the built-in level.
   std::vector<std::string> maps = options.maps;
   if (maps.empty() && options.demos.empty()) maps.emplace_back();

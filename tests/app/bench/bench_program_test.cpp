@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/program.h"
+#include "platform/egl/offscreen_context.h"
 #include "render/frame_buffer.h"
 #include "render/frame_stats.h"
 #include "support/programs/small_game.h"
@@ -59,6 +60,22 @@ TEST(BenchProgram, WarmFramesBuildNothingAndAllocateNothing) {
     EXPECT_EQ(result.at("surfaces_built"), 0) << color;
     EXPECT_EQ(result.at("allocations"), 0) << color;
     EXPECT_EQ(result.at("allocating_frames"), 0) << color;
+  }
+}
+
+TEST(BenchProgram, MeasuresLevelsThroughOpenGl) {
+  const TemporaryFolder folder;
+  for (const char* only_cpu : {"--cold", "--report", "--views=2"}) {
+    const ProgramRun refused = run_program(folder.path(), {"bench", "--renderer", "gl", only_cpu});
+    EXPECT_EQ(refused.exit_status, 2);
+    EXPECT_THAT(refused.err, HasSubstr("--renderer gl: --cold, --report, and --views"));
+  }
+  if (!platform::egl::make_offscreen_context().ok()) GTEST_SKIP() << "no OpenGL";
+  for (const char* color : {"indexed", "rgb"}) {
+    const json result = bench(folder.path(), {"--color", color, "--renderer", "gl"});
+    EXPECT_EQ(result.at("frames"), 4 * result.at("places").get<int>());
+    EXPECT_GT(result.at("frame_ms").at("p50"), 0.0);
+    EXPECT_EQ(result.at("surfaces_built"), 0) << color;
   }
 }
 
