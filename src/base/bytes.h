@@ -108,8 +108,14 @@ class ByteWriter {
   template <typename T>
   void write(T value) {
     static_assert(std::is_arithmetic_v<T>);
-    const auto* bytes = reinterpret_cast<const std::byte*>(&value);
-    bytes_.insert(bytes_.end(), bytes, bytes + sizeof(T));
+    if (bytes_.capacity() - bytes_.size() < sizeof(T)) grow();
+    if constexpr (sizeof(T) == 1) {
+      bytes_.push_back(std::bit_cast<std::byte>(value));
+    } else {
+      const std::size_t at = bytes_.size();
+      bytes_.resize(at + sizeof(T));
+      std::memcpy(bytes_.data() + at, &value, sizeof(T));
+    }
   }
   void u8(std::uint8_t value) { write(value); }
   void i16(std::int16_t value) { write(value); }
@@ -144,6 +150,12 @@ class ByteWriter {
   const ByteVector& view() const { return bytes_; }
 
  private:
+  // A vector would begin with a few bytes, and a message would move them six times.
+  void grow() {
+    constexpr std::size_t kFirst = 64;
+    bytes_.reserve(std::max(kFirst, 2 * bytes_.size()));
+  }
+
   ByteVector bytes_;
 };
 
