@@ -139,8 +139,9 @@ struct LineSpanDrawer {
 // The choice of a loop is that of DrawEveryPixel in render/spans/span_kernels_simd.cpp, which also has loops
 // for spans that stay inside of their texels. Here they would save little, and take ten seconds to compile.
 template <typename Texel, class Distances>
-TEMBLOR_KERNEL_INLINE void DrawSpan(const LineSpans& spans, const rn::SpanLines& lines, const rn::Sampler& sampler,
-                         const Distances& distances, int count, const rn::SpanOutput<Texel>& out) {
+TEMBLOR_KERNEL_INLINE void DrawSpan(const LineSpans& spans, const rn::SpanLines& lines,
+                                    const rn::Sampler& sampler, const Distances& distances, int count,
+                                    const rn::SpanOutput<Texel>& out) {
   const rn::Walk walk(lines);
   const int rows = walk.RowsNeeded(lines, count);
   const LineSpanDrawer<Texel, Distances> drawer{
