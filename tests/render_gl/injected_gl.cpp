@@ -135,6 +135,7 @@ struct InjectedGl::Wrappers {
             {"glDeleteProgram", address(&delete_program)},
             {"glGetIntegerv", address(&get_integer)},
             {"glGetGraphicsResetStatus", address(&get_reset_status)},
+            {"glGetGraphicsResetStatusKHR", address(&get_reset_status)},
             {"glGetShaderiv", address(&get_shader)},
             {"glGetProgramiv", address(&get_program)},
             {"glCheckFramebufferStatus", address(&check_framebuffer)},

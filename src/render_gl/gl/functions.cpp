@@ -126,9 +126,10 @@ base::Result<Functions> load_functions(const FunctionFinder& find) {
   if (!is_es) TRY_STATUS(check_desktop_extensions(gl));
   gl.has_disjoint_timer = is_es && has_extension(gl, "GL_EXT_disjoint_timer_query");
   gl.has_timer = (!is_es || gl.has_disjoint_timer) && !base::is_software_driver(read_string(gl, GL_RENDERER));
-  if (has_extension(gl, "GL_KHR_robustness") &&
-      !find_function(find, "glGetGraphicsResetStatus", gl.GetGraphicsResetStatus))
-    find_function(find, "glGetGraphicsResetStatusKHR", gl.GetGraphicsResetStatus);
+  // ANGLE has the function without the suffix in OpenGL ES 3.0, too, where each call is an error.
+  if (has_extension(gl, "GL_KHR_robustness"))
+    find_function(find, is_es ? "glGetGraphicsResetStatusKHR" : "glGetGraphicsResetStatus",
+                  gl.GetGraphicsResetStatus);
 #ifndef NDEBUG
   if (has_extension(gl, "GL_KHR_debug")) begin_messages(find, gl);
 #endif
