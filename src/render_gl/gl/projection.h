@@ -23,8 +23,12 @@ vec4 project(vec3 at) {
 
 // The same place in the picture, but nearer by a share of its distance; by a fixed number of units in parallel
 // projection.
+// Without glClipControl, depth is rounded to 2^-25 of its range wherever it is, which far away is more than the
+// share.
 vec4 project_nearer(vec3 at, float share) {
-  return project(is_perspective() ? at * (1.0 - share) : at - vec3(0, 0, share * 4096.0));
+  vec4 place = project(is_perspective() ? at * (1.0 - share) : at - vec3(0, 0, share * 4096.0));
+  if (full_range && share > 0.0) place.z += place.w / 4194304.0;
+  return place;
 }
 )";
 
