@@ -47,7 +47,9 @@ TEST(PaletteMatch, IsTheNearestOfAllThatMayBe) {
       const bool fullbright = random() % 2 == 0;
       ASSERT_EQ(match(color, fullbright), find_nearest(palette, color, fullbright))
           << "seed " << seed << ": " << int{color.r} << " " << int{color.g} << " " << int{color.b};
-      if (i % 100 == 0) ASSERT_EQ(match.find_by_trying(color, fullbright), match(color, fullbright));
+      if (i % 100 == 0) {
+        ASSERT_EQ(match.find_by_trying(color, fullbright), match(color, fullbright));
+      }
     }
   }
 }
