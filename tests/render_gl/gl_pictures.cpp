@@ -27,6 +27,34 @@ render::FrameBuffer make_difference(const render::FrameBuffer& a, const render::
   return out;
 }
 
+// Most drivers round vertices to 1/256 pixel. SwiftShader rounds them to 1/16, so that borders move.
+bool rounds_coarsely(const platform::GlContext& context) {
+  constexpr GLenum kSubpixelBits = 0x0D50;
+  constexpr GLint kUsual = 8;
+  const auto get = reinterpret_cast<PFNGLGETINTEGERVPROC>(context.find_function("glGetIntegerv"));
+  GLint bits = kUsual;
+  get(kSubpixelBits, &bits);
+  return bits < kUsual;
+}
+
+// The share of pixels with a neighbor, or the same place, where the other picture is equal.
+template <typename Pixel, typename Equal>
+double share_near(std::span<const Pixel> a, std::span<const Pixel> b, Equal equal) {
+  std::size_t found = 0;
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      const auto at = [](int column, int row) { return static_cast<std::size_t>(row * kWidth + column); };
+      const auto matches = [&] {
+        for (int row = std::max(y - 1, 0); row <= std::min(y + 1, kHeight - 1); ++row)
+          for (int column = std::max(x - 1, 0); column <= std::min(x + 1, kWidth - 1); ++column)
+            if (equal(a[at(x, y)], b[at(column, row)])) return true;
+        return false;
+      };
+      found += matches() ? 1 : 0;
+    }
+  return static_cast<double>(found) / (kWidth * kHeight);
+}
+
 }  // namespace
 
 RendererPair::RendererPair(const test::DrawableLevel& look)
@@ -47,6 +75,7 @@ base::Result<std::unique_ptr<RendererPair>> RendererPair::make(const test::Drawa
     return is_hidden ? nullptr : context->find_function(name);
   };
   TRY(pair->gl_, GlRenderer::make(find, look.palette, look.colormap, cache));
+  pair->rounds_coarsely_ = rounds_coarsely(*pair->context_);
   return pair;
 }
 
@@ -65,6 +94,10 @@ double RendererPair::compare(const render::Scene& scene, const render::Settings&
   test::show_picture(number + "-gl", gl_frame_, palette_);
   test::show_picture(number + "-difference", make_difference(cpu_frame_, gl_frame_, palette_), palette_);
   if (cpu_frame_.format() == render::PixelFormat::kIndexed) return equal_indices();
+  if (rounds_coarsely_)
+    return share_near<std::uint32_t>(
+        cpu_frame_.rgb(), gl_frame_.rgb(),
+        [&](std::uint32_t a, std::uint32_t b) { return test::largest_difference(a, b) <= tolerance; });
   return test::equal_share(cpu_frame_.rgb(), gl_frame_.rgb(), tolerance);
 }
 
@@ -74,6 +107,8 @@ void RendererPair::set_format(render::PixelFormat format) {
 }
 
 double RendererPair::equal_indices() const {
+  if (rounds_coarsely_)
+    return share_near<std::uint8_t>(cpu_frame_.indexed(), gl_frame_.indexed(), std::equal_to());
   std::size_t equal = 0;
   for (std::size_t i = 0; i < cpu_frame_.pixel_count(); ++i)
     equal += cpu_frame_.indexed()[i] == gl_frame_.indexed()[i];

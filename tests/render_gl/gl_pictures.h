@@ -22,7 +22,8 @@ class RendererPair {
       const CacheOptions& cache = {});
 
   // Draws the scene with both, and returns the share of pixels whose channels differ by at most `tolerance`;
-  // of indexed frames, that of equal indices.
+  // of indexed frames, that of equal indices. If the driver rounds vertices coarsely, a pixel may also equal
+  // one beside it.
   // CHECKs that the card draws. Writes the pictures and their difference if the test run asks for pictures.
   double compare(const render::Scene& scene, const render::Settings& settings, int tolerance = 2);
 
@@ -39,6 +40,7 @@ class RendererPair {
   double equal_indices() const;
 
   std::string name_;
+  bool rounds_coarsely_ = false;
   formats::Palette palette_;
   int picture_count_ = 0;
   render::Renderer cpu_;
