@@ -326,7 +326,9 @@ TEST(VertexBoxes, AreAtTheVertices) {
     }
     EXPECT_GT(boxes, 0) << seed;
     for (std::size_t at = 0; at < frame.pixel_count(); ++at)
-      if (frame.depth()[at] > 0) EXPECT_TRUE(is_near_a_vertex[at]) << seed;
+      if (frame.depth()[at] > 0) {
+        EXPECT_TRUE(is_near_a_vertex[at]) << seed;
+      }
   }
 }
 

@@ -141,11 +141,13 @@ TEST(Wire, AnyLinkShowsRecordedStatesInOrder) {
       EXPECT_EQ(transcript.unreadable, 0u) << where();
       EXPECT_EQ(transcript.wrong_inputs, 0u) << where();
       ASSERT_TRUE(is_strictly_rising(ticks)) << where();
-      if (info.method == Method::kWindow || info.method == Method::kLockstep)
+      if (info.method == Method::kWindow || info.method == Method::kLockstep) {
         EXPECT_EQ(ticks, list_all_ticks()) << where();
+      }
       EXPECT_GT(ticks.size(), info.method == Method::kReliable ? 5u : 200u) << where();
-      if (info.method != Method::kReliable)
+      if (info.method != Method::kReliable) {
         EXPECT_GE(transcript.shown.back().tick, 426u) << where() << ": it ended early";
+      }
       expect_possible(transcript, info.method == Method::kLockstep ? 0 : link.delay_s, kWireTick_s);
     }
   }
@@ -195,9 +197,9 @@ TEST(Wire, LockstepWaitsForAllInputs) {
         ASSERT_GE(shown.at_s, (tick - static_cast<double>(delay_ticks)) * kWireTick_s + delay_s - 1e-9);
       }
       EXPECT_EQ(transcript.wrong_inputs, 0u);
-      if (loss > 0)
+      if (loss > 0) {
         EXPECT_GT(find_longest_gap(transcript, 2), kWireTick_s * 1.5) << "it never waited";
-      else
+      } else
         for (const wire::Shown& shown : transcript.shown)
           ASSERT_NEAR(shown.at_s, static_cast<double>(shown.tick) * kWireTick_s, 1e-9)
               << "all in the same tick";
@@ -213,8 +215,9 @@ TEST(Wire, InputsNeedARoundTripOrTheInputDelay) {
     for (const wire::PlayedInput& input : transcript.inputs) {
       const double played_s = static_cast<double>(input.tick) * kWireTick_s;
       ASSERT_GE(played_s, input.at_s + (info.method == Method::kLockstep ? 0 : link.delay_s)) << info.name;
-      if (info.method != Method::kReliable)
+      if (info.method != Method::kReliable) {
         ASSERT_LE(played_s, input.at_s + link.delay_s + 4 * kWireTick_s) << info.name;
+      }
     }
   }
 }

@@ -46,9 +46,10 @@ void expect_same_games(LockstepParty& io_party, std::size_t players) {
   const std::uint32_t ticks = io_party.game(0).ticks();
   for (std::size_t i = 1; i < players; ++i) {
     EXPECT_NEAR(io_party.game(i).ticks(), ticks, 60) << i;
-    if (io_party.game(i).ticks() == ticks)
+    if (io_party.game(i).ticks() == ticks) {
       EXPECT_EQ(io_party.game(i).simulation().game().state_hash(),
                 io_party.game(0).simulation().game().state_hash());
+    }
   }
 }
 

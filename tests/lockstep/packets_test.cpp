@@ -87,7 +87,9 @@ TEST(LockstepPackets, ReadWhatWasWritten) {
     // A packet that would be too large leaves the last ticks out.
     ASSERT_LE(read.ticks.size(), ticks.ticks.size());
     ASSERT_GT(read.ticks.size(), 0u);
-    if (bytes.size() < kMaxPacketBytes) EXPECT_EQ(read.ticks.size(), ticks.ticks.size());
+    if (bytes.size() < kMaxPacketBytes) {
+      EXPECT_EQ(read.ticks.size(), ticks.ticks.size());
+    }
     for (std::size_t i = 0; i < read.ticks.size(); ++i)
       for (std::size_t player = 0; player < players; ++player)
         expect_equal(read.ticks[i][player], ticks.ticks[i][player]);

@@ -176,10 +176,11 @@ TEST(Opcodes, Stores) {
     Machine machine(builder.load());
     ASSERT_TRUE(machine.call(FunctionIndex{1}).ok());
     const auto stored = machine.global_words().subspan(static_cast<std::size_t>(to), 3);
-    if (opcode == Opcode::kStoreV)
+    if (opcode == Opcode::kStoreV) {
       EXPECT_THAT(stored, ElementsAre(1, 2, 3));
-    else
+    } else {
       EXPECT_THAT(stored, ElementsAre(1, 8, 9)) << opcode_info(opcode).name;
+    }
   }
 }
 

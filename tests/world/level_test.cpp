@@ -30,10 +30,11 @@ void expect_same_structure(const TestLevel& test) {
       const std::int32_t child = bsp.nodes[i].children[side];
       const Child converted = level.nodes[i].children[side];
       ASSERT_EQ(converted.is_leaf(), child < 0);
-      if (child < 0)
+      if (child < 0) {
         EXPECT_EQ(base::to_size(converted.leaf()), static_cast<std::size_t>(-(child + 1)));
-      else
+      } else {
         EXPECT_EQ(base::to_size(converted.node()), static_cast<std::size_t>(child));
+      }
     }
   }
   for (const Plane& plane : level.planes) {

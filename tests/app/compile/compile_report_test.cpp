@@ -180,10 +180,11 @@ TEST_F(CompileReportTest, HeatMapShowsTheVisibilityOfTheLevel) {
         most = std::max(most, seen[base::to_size(world::find_leaf(*level, at))]);
       }
       const std::uint32_t color = heat.pixels[y * heat.width + x];
-      if (most == 0)
+      if (most == 0) {
         ASSERT_EQ(color >> 24, 0u) << x << " " << y;
-      else
+      } else {
         ASSERT_EQ(color, app::heat_color(double(most) / largest)) << x << " " << y;
+      }
       ++(most == 0 ? closed : open);
     }
   EXPECT_GT(open, 1000u);

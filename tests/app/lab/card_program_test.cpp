@@ -52,20 +52,24 @@ TEST(CardProgram, MeasuresEveryCacheAndMethod) {
     EXPECT_EQ(run.at("bits"), number < kCaches ? (std::array{32, 16, 8})[number / 4] : 32);
     EXPECT_EQ(run.at("megabytes"), number < kCaches ? (std::array{2, 4, 64, 256})[number % 4] : 64);
     const int cache_bytes = run.at("megabytes").get<int>() << 20;
-    if (number < kCaches)
+    if (number < kCaches) {
       EXPECT_EQ(run.at("cache_bytes"), cache_bytes);
-    else
+    } else {
       EXPECT_GT(run.at("cache_bytes"), cache_bytes) << "textures and light";
+    }
     EXPECT_EQ(run.at("frames"), runs[i / kRuns * kRuns].at("frames"));
     EXPECT_GT(run.at("frame_ms").at("p50"), 0.0);
     EXPECT_GE(run.at("frame_ms").at("max"), run.at("frame_ms").at("p99"));
     EXPECT_GE(run.at("portions"), 1.0);
-    if (run.at("method") != "style layers")  // whose light is there since the first frame
+    if (run.at("method") != "style layers") {  // whose light is there since the first frame
       EXPECT_GT(run.at("hits").get<double>() + run.at("uploads").get<double>(), 0.0);
+    }
     EXPECT_GE(run.at("max_bytes_uploaded"), run.at("bytes_uploaded"));
     const bool is_exact =
         run.at("bits") != 16 && run.at("method") != "vertex light" && run.at("method") != "8 bit expanded";
-    if (is_exact) EXPECT_GE(run.at("equal_share"), 0.95);
+    if (is_exact) {
+      EXPECT_GE(run.at("equal_share"), 0.95);
+    }
   }
 }
 

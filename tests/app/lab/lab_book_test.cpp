@@ -149,7 +149,8 @@ TEST(LabBook, WritesPagesAndPictures) {
   options.grid.counts = {1, 3};
   options.card = {.sizes = {{32, 24}}, .megabytes = {2}, .step_deg = 360, .seconds = 0.01};
   const std::filesystem::path book = folder.path() / "new" / "book";
-  const app::WireResults wire = app::measure_wire({.latency_ms = {200, 200}, .seconds = 5}, {}).value();
+  const app::WireResults wire =
+      app::measure_wire({.latency_ms = {200, 200}, .seconds = 5, .map = {}}, {}).value();
   ASSERT_TRUE(app::write_book(book, levels, model_scenes, wire, options));
   const std::string index = read_text(book / "index.html");
   EXPECT_EQ(find_markup_fault(index), "");
@@ -181,7 +182,9 @@ TEST(LabBook, WritesPagesAndPictures) {
       EXPECT_EQ(read_png(book / picture).width, 3u * 640) << picture;
       const std::string film = app::film_file_name(entry.technique);
       EXPECT_EQ(page.find("src=\"" + film) != std::string::npos, entry.has_film) << film;
-      if (entry.has_film) EXPECT_EQ(read_png(book / film).width, 2u * 320) << film;
+      if (entry.has_film) {
+        EXPECT_EQ(read_png(book / film).width, 2u * 320) << film;
+      }
     }
   }
 }

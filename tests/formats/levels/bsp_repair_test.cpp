@@ -81,10 +81,11 @@ TEST_P(RepairedBsp, EqualsTheRepairByHand) {
   auto back = read_bsp(write_bsp(bsp, BspVersion::kBsp2).value());
   ASSERT_TRUE(back.ok()) << back.error().message();
   EXPECT_FALSE(find_fault(*back).has_value());
-  if (GetParam().repairs == nullptr)
+  if (GetParam().repairs == nullptr) {
     EXPECT_EQ(back->repairs, "");
-  else
+  } else {
     EXPECT_THAT(remove_offset(back->repairs), StartsWith(GetParam().repairs));
+  }
   back->repairs.clear();
   EXPECT_EQ(*back, expected);
 }

@@ -167,16 +167,17 @@ TEST(Wav, HeaderMatchesWholeFile) {
 TEST(Wav, RejectsTruncationsWithoutSamples) {
   test::for_each_truncation(ten_bytes(), [](const base::ByteVector& bytes) {
     const std::string what = error_of_wav(bytes);
-    if (bytes.size() < 12)
+    if (bytes.size() < 12) {
       EXPECT_THAT(what, HasSubstr("not a WAV file"));
-    else if (bytes.size() < kFormatAt + 8)
+    } else if (bytes.size() < kFormatAt + 8) {
       EXPECT_THAT(what, HasSubstr("no fmt chunk"));
-    else if (bytes.size() < kDataAt)
+    } else if (bytes.size() < kDataAt) {
       EXPECT_THAT(what, HasSubstr("fmt chunk at offset 0xc"));
-    else if (bytes.size() < kSamplesAt)
+    } else if (bytes.size() < kSamplesAt) {
       EXPECT_THAT(what, HasSubstr("no data chunk"));
-    else
+    } else {
       EXPECT_EQ(read_wav(bytes)->samples.size(), bytes.size() - kSamplesAt);
+    }
   });
 }
 

@@ -180,7 +180,9 @@ void check_every_triangle(std::span<const lab::DrawShape> code) {
     for (const bool empty : {true, false}) {
       const auto right = one.draw(empty, draw_mask);
       ASSERT_EQ(one.draw(empty, run_code), right) << i;
-      if (empty) ASSERT_EQ(one.find_drawn(right), mask) << i;
+      if (empty) {
+        ASSERT_EQ(one.find_drawn(right), mask) << i;
+      }
     }
     ++drawn;
   }
@@ -212,7 +214,9 @@ TEST(BuiltShapes, DrawEveryTriangle) {
 // Null without asmjit.
 std::optional<AssembledShapes> assemble() {
   auto made = AssembledShapes::make(lab::list_built_shapes().masks);
-  if (!made.ok()) EXPECT_EQ(made.error().code, base::ErrorCode::kUnsupported);
+  if (!made.ok()) {
+    EXPECT_EQ(made.error().code, base::ErrorCode::kUnsupported);
+  }
   return made.ok() ? std::optional(std::move(made.value())) : std::nullopt;
 }
 

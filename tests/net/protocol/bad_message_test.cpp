@@ -64,14 +64,15 @@ TEST(BadMessage, RejectsUnknownNumbers) {
       continue;
     }
     EXPECT_EQ(error.code, ErrorCode::kUnsupported);
-    if (of_2021)
+    if (of_2021) {
       EXPECT_THAT(
           error.message(),
           MatchesRegex("offset 1000: svc_[a-z]+: message of the 2021 re-release, which is not supported "
                        ".the first message of its packet."));
-    else
+    } else {
       EXPECT_EQ(error.message(), "offset 1000: message " + std::to_string(id) +
                                      ": unknown message (the first message of its packet)");
+    }
   }
 }
 

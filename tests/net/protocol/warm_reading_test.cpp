@@ -27,9 +27,9 @@ TEST(WarmReading, AllocatesNothing) {
     for (auto message = reader.next(); message.value().has_value(); message = reader.next()) ++messages;
     const std::size_t allocations = test::allocation_count() - before;
     EXPECT_EQ(messages, 2001u);
-    if (warm)
+    if (warm) {
       EXPECT_EQ(allocations, 0u);
-    else
+    } else
       first_allocations = allocations;
   }
   EXPECT_GT(first_allocations, 0u) << "allocations are not counted";

@@ -117,17 +117,18 @@ void expect_product(const render::DrawCommand& command, int index, std::uint8_t 
 // Uses the table for the nearest sixteenth; another test checks its colors.
 void expect_indexed_pixel(const render::DrawCommand& command, int index, std::uint8_t before,
                           std::uint8_t after) {
-  if (index == 256 || !(command.opacity > 0))
+  if (index == 256 || !(command.opacity > 0)) {
     ASSERT_EQ(after, before);
-  else if (command.mode == render::DrawMode::kAdd)
+  } else if (command.mode == render::DrawMode::kAdd) {
     ASSERT_EQ(after, some_tables().blends.sums()[indexed_color(command, index) * 256 + before]);
-  else if (product_factor(command.mode) > 0)
+  } else if (product_factor(command.mode) > 0)
     expect_product(command, index, before, after);
-  else if (command.opacity >= 1)
+  else if (command.opacity >= 1) {
     ASSERT_EQ(after, indexed_color(command, index));
-  else
+  } else {
     ASSERT_EQ(after,
               some_tables().blends.table_for(command.opacity)[indexed_color(command, index) * 256 + before]);
+  }
 }
 
 TEST(DrawOverlay, PutsEveryPixelWhereItBelongs) {

@@ -84,7 +84,9 @@ TEST(GlLightPolygonShapes, HaveTheLightOfTheirFace) {
       const FoundLight found = find_light(triangles, point);
       const bool is_inside = distance < light->reach;
       EXPECT_EQ(found.triangles, is_inside ? 1 : 0) << "face " << number;
-      if (is_inside) EXPECT_NEAR(found.light, light->at_nearest - distance, 0.1) << "face " << number;
+      if (is_inside) {
+        EXPECT_NEAR(found.light, light->at_nearest - distance, 0.1) << "face " << number;
+      }
       ++(is_inside ? inside : outside);
     }
   }

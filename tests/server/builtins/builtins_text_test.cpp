@@ -183,10 +183,11 @@ TEST(Sprintf, RandomFormatsEndAndAreShort) {
     std::string format;
     for (std::size_t k = random.below(40); k-- > 0;) format += alphabet[random.below(alphabet.size())];
     const std::string error = stage.error("sprintf", format, 3.5f, "text", Vec3(1, 2, 3), kNan, 1e38f);
-    if (!error.empty())
+    if (!error.empty()) {
       ASSERT_THAT(error, HasSubstr("is not a string")) << format;
-    else
+    } else {
       ASSERT_LE(stage.machine.text(stage.machine.returned_string()).size(), std::size_t{1} << 16) << format;
+    }
   }
 }
 
