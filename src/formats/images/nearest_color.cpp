@@ -20,8 +20,8 @@ constexpr std::size_t cell_index(int r, int g, int b) {
   return static_cast<std::size_t>((r / kFineSize * kFineCells + g / kFineSize) * kFineCells + b / kFineSize);
 }
 
-constexpr std::uint64_t squared(int x) {
-  return static_cast<std::uint64_t>(x * x);
+constexpr int squared(int x) {
+  return x * x;
 }
 
 // Squared distances in one channel from a value to the nearest value of a cell, in the low half, and to the
@@ -32,7 +32,8 @@ constexpr int kFarthestShift = 32;
 
 Reach reach(int value, int low, int size) {
   const int below = low - value, above = value - (low + size - 1);
-  return squared(std::max({below, above, 0})) | squared(std::min(below, above)) << kFarthestShift;
+  const auto nearest = static_cast<Reach>(squared(std::max({below, above, 0})));
+  return nearest | static_cast<Reach>(squared(std::min(below, above))) << kFarthestShift;
 }
 
 using Reaches = std::array<Reach, std::tuple_size_v<Palette>>;  // of each candidate
@@ -91,11 +92,11 @@ void NearestColor::divide(const Cell& cell, std::span<const Candidate> among, st
 
 std::uint8_t NearestColor::find(Rgb color) const {
   const Range cell = cells_[cell_index(color.r, color.g, color.b)];
-  std::uint64_t best_distance = std::numeric_limits<std::uint64_t>::max();
+  int best_distance = std::numeric_limits<int>::max();
   std::uint8_t found = 0;
   for (std::uint32_t i = cell.begin; i < cell.end; ++i) {
     const Candidate& candidate = candidates_[i];
-    const std::uint64_t distance =
+    const int distance =
         squared(candidate.r - color.r) + squared(candidate.g - color.g) + squared(candidate.b - color.b);
     if (distance >= best_distance) continue;
     best_distance = distance;
