@@ -62,12 +62,7 @@ base::Status DepthReader::read(const Functions& gl, const render::ViewFrame& vie
   const math::Vec2 scale = find_depth_scale(view);
   gl.Uniform2f(depth_scale_, scale.x, scale.y);
   gl.Uniform1f(weapon_scale_, render::kWeaponDepthScale);
-  gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  gl.Disable(GL_DEPTH_TEST);
-  gl.BindVertexArray(no_vertices_.name());
-  gl.DrawArrays(GL_TRIANGLES, 0, 3);
-  gl.BindVertexArray(0);
-  gl.Enable(GL_DEPTH_TEST);
+  draw_whole_picture(gl, no_vertices_);
   gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
   gl.ReadPixels(0, 0, target.width(), target.height(), GL_RGBA, GL_UNSIGNED_BYTE, out_depth.data());
   target.bind(gl);

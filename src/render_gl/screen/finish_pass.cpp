@@ -77,12 +77,7 @@ base::Status FinishPass::draw(const Functions& gl, const render::Scene& scene, T
   gl.Uniform1i(is_warped_, scene.underwater);
   const auto channel = [&](int shift) { return static_cast<float>(tint.color() >> shift & 255); };
   gl.Uniform4f(tint_, channel(0), channel(8), channel(16), static_cast<float>(tint.opacity()));
-  gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  gl.Disable(GL_DEPTH_TEST);
-  gl.BindVertexArray(no_vertices_.name());
-  gl.DrawArrays(GL_TRIANGLES, 0, 3);
-  gl.BindVertexArray(0);
-  gl.Enable(GL_DEPTH_TEST);
+  draw_whole_picture(gl, no_vertices_);
   return gl.check("finishing the picture");
 }
 

@@ -99,11 +99,7 @@ base::Status PresentPass::draw(const Functions& gl, const Target& target, const 
   gl.Uniform1i(program.colors, kShownColorsUnit);
   gl.Uniform2i(program.picture_size, target.width(), target.height());
   gl.Uniform2i(program.window_size, shown.width, shown.height);
-  gl.Disable(GL_DEPTH_TEST);
-  gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  gl.BindVertexArray(no_vertices_.name());
-  gl.DrawArrays(GL_TRIANGLES, 0, 3);
-  gl.BindVertexArray(0);
+  draw_whole_picture(gl, no_vertices_);
   return gl.check("showing the picture");
 }
 
